@@ -4,23 +4,11 @@
 #include <set>
 #include <utility>
 
-#include "lint/pins/judge_pin.hpp"
+#include "lint/pins/pins.hpp"
+#include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {
 namespace {
-
-CommentStyle comments_of(SourceLanguage language) {
-  switch (language) {
-    case SourceLanguage::python:
-      return CommentStyle::hash;
-    case SourceLanguage::markdown:
-      return CommentStyle::none;
-    case SourceLanguage::rust:
-      return CommentStyle::rust;
-    default:
-      return CommentStyle::c;
-  }
-}
 
 /// Most files take microseconds.
 constexpr std::size_t files_of_a_piece = 32;
@@ -38,8 +26,7 @@ class PlaceFinder {
     }
     const std::string_view before = text_.substr(begin_, offset - begin_);
     // Bytes 10xxxxxx continue a code point.
-    const auto points =
-        std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    const auto points = std::ranges::count_if(before, [](char c) { return (c & 0xC0) != 0x80; });
     return {line_, points + 1};
   }
 
@@ -49,15 +36,6 @@ class PlaceFinder {
   long line_ = 1;
 };
 
-std::size_t line_begin(std::string_view text, std::size_t offset) {
-  const std::size_t end = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
-  return end == std::string_view::npos ? 0 : end + 1;
-}
-
-std::string_view line_at(std::string_view text, std::size_t begin) {
-  return text.substr(begin, text.find('\n', begin) - begin);
-}
-
 /// The reason in the first line of a site, in its last one, or in the line above.
 std::optional<std::string> ignored_at(std::string_view text, std::size_t first, std::size_t last) {
   const std::size_t begin = line_begin(text, first);
@@ -66,24 +44,34 @@ std::optional<std::string> ignored_at(std::string_view text, std::size_t first, 
   return begin == 0 ? std::nullopt : ignore_reason(line_at(text, line_begin(text, begin - 1)));
 }
 
+/// A site between two numbers of a file.
+LintedSite site_between(const std::string& file, std::string_view text, const NumberPlace& first,
+                        const NumberPlace& last, PlaceFinder& places) {
+  LintedSite site;
+  site.file = file;
+  site.begin = places.at(first.offset);
+  site.end = places.at(last.offset + last.length);
+  site.ignored = ignored_at(text, first.offset, last.offset);
+  return site;
+}
+
+void add_set(LintedSite& site, const KnownSet& set, const GradedSite& graded) {
+  site.id = set.id;
+  site.form = set.form;
+  site.times = set.times;
+  site.source = set.source;
+  site.grade = graded.grade;
+  site.effect = graded.effect;
+  site.is_shown = graded.is_shown;
+}
+
 LintedSite linted(const std::string& file, std::string_view text, const KnownSet& set,
                   const JudgedSite& judged, PlaceFinder& places) {
-  const JudgedNumber &first = judged.numbers.front(), &last = judged.numbers.back();
-  LintedSite site{.file = file,
-                  .begin = places.at(first.offset),
-                  .end = places.at(last.offset + last.length),
-                  .id = set.id,
-                  .form = set.form,
-                  .times = set.times,
-                  .source = set.source,
-                  .numbers = {},
-                  .grade = judged.graded.grade,
-                  .effect = judged.graded.effect,
-                  .is_shown = judged.graded.is_shown,
-                  .slip = judged.slip,
-                  .replaced = judged.replaced,
-                  .is_in_comment = judged.is_in_comment,
-                  .ignored = ignored_at(text, first.offset, last.offset)};
+  LintedSite site = site_between(file, text, judged.numbers.front(), judged.numbers.back(), places);
+  add_set(site, set, judged.graded);
+  site.slip = judged.slip;
+  site.replaced = judged.replaced;
+  site.is_in_comment = judged.is_in_comment;
   for (const JudgedNumber& number : judged.numbers) {
     const KnownConstant& constant = set.constants[number.constant];
     const auto text_of = [&](const NumberPlace& place) {
@@ -102,14 +90,10 @@ LintedSite linted(const std::string& file, std::string_view text, const std::vec
                   const JudgedPin& judged, PlaceFinder& places) {
   const Pin& pin = judged.pin;
   const bool is_faulty = !judged.fault.empty();
-  const std::size_t first = is_faulty ? pin.offset : pin.number_offset;
-  const std::size_t length = is_faulty ? pin.name.size() : pin.number.size();
-  LintedSite site;
-  site.file = file;
-  site.begin = places.at(first);
-  site.end = places.at(first + length);
+  const NumberPlace place = is_faulty ? NumberPlace{pin.offset, pin.name.size()}
+                                      : NumberPlace{pin.number_offset, pin.number.size()};
+  LintedSite site = site_between(file, text, place, place, places);
   site.is_pinned = true;
-  site.ignored = ignored_at(text, first, first);
   if (is_faulty) {
     site.id = pin.name;
     site.grade = Grade::wrong;
@@ -118,12 +102,7 @@ LintedSite linted(const std::string& file, std::string_view text, const std::vec
   }
   const KnownSet& set = sets[judged.set];
   const KnownConstant& constant = set.constants[judged.constant];
-  site.id = set.id;
-  site.form = set.form;
-  site.source = set.source;
-  site.grade = judged.graded.grade;
-  site.effect = judged.graded.effect;
-  site.is_shown = judged.graded.is_shown;
+  add_set(site, set, judged.graded);
   site.replaced = judged.replaced;
   site.numbers = {
       {constant.name, constant.printed, std::string(pin.number), judged.digits, pin.number_offset, true}};
@@ -135,23 +114,16 @@ bool leave_unpinned(LintedSite& site, const std::set<std::size_t>& pinned) {
   const std::size_t count =
       std::erase_if(site.numbers, [&](const LintedNumber& number) { return pinned.contains(number.offset); });
   return count == 0 || (!site.numbers.empty() &&
-                        (!site.slip.empty() ||
-                         std::any_of(site.numbers.begin(), site.numbers.end(),
-                                     [](const auto& number) { return number.grade != Grade::right; })));
+                        (!site.slip.empty() || std::ranges::any_of(site.numbers, [](const auto& number) {
+                          return number.grade != Grade::right;
+                        })));
 }
 
 }  // namespace
 
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
                                     const KnownConstants& known, const EffectLimits& limits,
-                                    const Checkpoint& checkpoint) {
-  SkippedFiles skipped;
-  return lint_source(file, text, language, known, limits, skipped, checkpoint);
-}
-
-std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
-                                    const KnownConstants& known, const EffectLimits& limits,
-                                    SkippedFiles& skipped, const Checkpoint& checkpoint) {
+                                    const Checkpoint& checkpoint, SkippedFiles* skipped) {
   std::vector<LintedSite> sites;
   std::set<std::size_t> pinned;
   PlaceFinder places(text);
@@ -161,15 +133,13 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
   }
   for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits, checkpoint)) {
     if (judged.is_in_table) {
-      ++skipped.in_tables;
+      if (skipped != nullptr) ++skipped->in_tables;
       continue;
     }
     LintedSite site = linted(file, text, known.sets[judged.set], judged, places);
     if (leave_unpinned(site, pinned)) sites.push_back(std::move(site));
   }
-  std::stable_sort(sites.begin(), sites.end(), [](const LintedSite& a, const LintedSite& b) {
-    return std::pair(a.begin.line, a.begin.column) < std::pair(b.begin.line, b.begin.column);
-  });
+  std::ranges::stable_sort(sites, {}, &LintedSite::begin);
   return sites;
 }
 
@@ -196,7 +166,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
           if (!text) continue;
           found[i].bytes = text->size();
           found[i].sites =
-              lint_source(file.name, *text, file.language, known, limits, found[i].skipped, checkpoint);
+              lint_source(file.name, *text, file.language, known, limits, checkpoint, &found[i].skipped);
         }
       },
       how);
@@ -207,7 +177,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
       ++linted.files;
       linted.bytes += *one.bytes;
     }
-    std::move(one.sites.begin(), one.sites.end(), std::back_inserter(linted.sites));
+    std::ranges::move(one.sites, std::back_inserter(linted.sites));
   }
   return linted;
 }

@@ -15,6 +15,7 @@ namespace shadefit::lint {
 /// A place in a text. Lines and columns count from 1, columns in code points.
 struct TextPlace {
   long line = 0, column = 0;
+  auto operator<=>(const TextPlace&) const = default;
 };
 
 /// A number as it stands in a file.
@@ -35,7 +36,7 @@ struct LintedNumber {
   std::vector<NumberCopy> copies = {};  ///< the other components of a vector of this number
 };
 
-/// A site in a file, or a number that a mark pins to a constant (lint/pins/pin.hpp).
+/// A site in a file, or a number that a mark pins to a constant (lint/pins/pins.hpp).
 struct LintedSite {
   std::string file;
   TextPlace begin, end;  ///< of its first number, and after its last
@@ -73,10 +74,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
 /// that of `judge_text`.
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
                                     const KnownConstants& known, const EffectLimits& limits,
-                                    SkippedFiles& skipped, const Checkpoint& checkpoint = keep_going);
-
-std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
-                                    const KnownConstants& known, const EffectLimits& limits,
-                                    const Checkpoint& checkpoint = keep_going);
+                                    const Checkpoint& checkpoint = keep_going,
+                                    SkippedFiles* skipped = nullptr);
 
 }  // namespace shadefit::lint

@@ -2,22 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
 #include <set>
+#include <system_error>
 
-#include "app/lint/lint_fix.hpp"
 #include "app/options/finding_format.hpp"
 #include "app/options/option_values.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/support/bounded_file.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/json_document.hpp"
 #include "fit/support/user_error.hpp"
+#include "lint/fix/fixes.hpp"
 #include "lint/lint_tree.hpp"
 #include "lint/tree/lint_config.hpp"
+#include "reports/io/output.hpp"
 #include "reports/lint/lint_findings.hpp"
 #include "reports/lint/unified_diff.hpp"
 
 namespace shadefit {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::array failing_grades{lint::Grade::truncated, lint::Grade::outdated, lint::Grade::typo,
                                     lint::Grade::wrong};
@@ -27,12 +37,6 @@ std::vector<std::string> fail_on_words() {
   std::vector<std::string> words{never};
   for (const lint::Grade grade : failing_grades) words.emplace_back(name(grade));
   return words;
-}
-
-std::optional<lint::Grade> grade_named(const std::string& word) {
-  for (const lint::Grade grade : failing_grades)
-    if (word == name(grade)) return grade;
-  return std::nullopt;
 }
 
 /// Options that are not given, from the file of the project, whose folder `tree.configured` has then.
@@ -55,7 +59,7 @@ LintOptions with_config(LintOptions options, lint::TreeOptions& tree) {
 /// All published sets: those of the studies, and exact constants, which stand in the folder `exact` beside
 /// them.
 lint::KnownConstants known_constants(const StudyFolders& given) {
-  std::vector<std::filesystem::path> folders = study_folders(given);
+  std::vector<fs::path> folders = study_folders(given);
   const std::size_t count = folders.size();
   for (std::size_t i = 0; i < count; ++i) folders.push_back(folders[i] / "exact");
   std::vector<StudyFile> studies;
@@ -85,15 +89,92 @@ std::string warnings_of(const lint::SkippedFiles& skipped) {
   return lines;
 }
 
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+/// A file that fixes change.
+struct FixedFile {
+  std::string name;           ///< as in `LintedSite::file`
+  std::string before, after;  ///< its bytes
+  std::size_t numbers = 0;    ///< that are rewritten
+};
+
+using SitesByFile = std::map<std::string, std::vector<lint::LintedSite>>;
+
+SitesByFile by_file(const std::vector<lint::LintedSite>& sites) {
+  SitesByFile files;
+  for (const lint::LintedSite& site : sites) files[site.file].push_back(site);
+  return files;
+}
+
+/// Throws UserError unless each number still stands where it was found.
+void require_unchanged(const std::string& name, const std::string& text,
+                       const std::vector<lint::LintedSite>& sites) {
+  const auto require = [&](std::size_t offset, const std::string& number) {
+    if (offset > text.size() || text.compare(offset, number.size(), number) != 0)
+      throw UserError(fmt::format("'{}' changed while it was read: run lint again", name));
+  };
+  for (const lint::LintedSite& site : sites) {
+    for (const lint::LintedNumber& number : site.numbers) {
+      require(number.offset, number.text);
+      for (const lint::NumberCopy& copy : number.copies) require(copy.offset, copy.text);
+    }
+  }
+}
+
+/// The files of the tree that fixes change, read once more. Throws UserError for a file that has changed
+/// since it was judged.
+std::vector<FixedFile> fixed_files(const lint::LintedTree& tree, lint::FixScope scope) {
+  std::vector<FixedFile> files;
+  for (const auto& [name, sites] : by_file(tree.sites)) {
+    const bool is_right = std::ranges::all_of(
+        sites, [](const lint::LintedSite& site) { return site.grade == lint::Grade::right; });
+    if (is_right) continue;
+    FixedFile file{.name = name, .before = read_bounded(name, lint::largest_source), .after = {}};
+    require_unchanged(name, file.before, sites);
+    const std::vector<lint::Fix> fixes = lint::fixes_of(sites, file.before, scope);
+    file.after = lint::fixed_text(file.before, fixes);
+    file.numbers = fixes.size();
+    if (file.numbers > 0) files.push_back(std::move(file));
+  }
+  return files;
+}
+
+/// The sites that are left once the files are written.
+void judge_again(lint::LintedTree& tree, const std::vector<FixedFile>& files, const lint::SourceTree& sources,
+                 const lint::KnownConstants& known, const lint::EffectLimits& limits,
+                 const Checkpoint& checkpoint) {
+  SitesByFile left = by_file(tree.sites);
+  for (const FixedFile& file : files) {
+    const auto source = std::ranges::find(sources.files, file.name, &lint::SourceFile::name);
+    left[file.name] = lint_source(file.name, file.after, source->language, known, limits, checkpoint);
+  }
+  tree.sites.clear();
+  for (auto& [name, sites] : left) std::ranges::move(sites, std::back_inserter(tree.sites));
+}
+
+/// Writes the files beside the old ones, with their permissions; of a link, the file that it leads to. The
+/// returned call moves them to their places. Throws UserError like `Output::prepare`.
+std::function<void()> prepare_files(const std::vector<FixedFile>& files, const Checkpoint& checkpoint) {
+  std::map<fs::path, std::vector<File>> by_folder;
+  for (const FixedFile& file : files) {
+    std::error_code error;
+    const fs::path path = fs::canonical(file.name, error);
+    if (error) throw UserError(fmt::format("cannot write '{}': {}", file.name, error.message()));
+    by_folder[path.parent_path()].push_back({path.filename().string(), file.after});
+  }
+  std::vector<std::shared_ptr<Output>> outputs;
+  for (const auto& [folder, of_folder] : by_folder) {
+    outputs.push_back(std::make_shared<Output>(folder));
+    outputs.back()->prepare(of_folder, {}, Foreign::replaced, checkpoint);
+  }
+  return [outputs] {
+    for (const auto& output : outputs) output->put();
+  };
 }
 
 std::string words_of(const std::vector<FixedFile>& files) {
-  std::size_t numbers = 0;
-  for (const FixedFile& file : files) numbers += file.numbers;
+  long numbers = 0;
+  for (const FixedFile& file : files) numbers += static_cast<long>(file.numbers);
   return fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
-                     counted(files.size(), "file"));
+                     counted(std::ssize(files), "file"));
 }
 
 Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown,
@@ -131,25 +212,13 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
             "do not fail for what this report has, an earlier --format json");
   add_values(lint, "--exclude", options.exclude, parse_text, "GLOB",
              "leave these files out, as .gitignore does; may be repeated");
-  const auto language = [](const std::string& option, const std::string& text) {
-    if (const auto found = lint::language_named(text)) return *found;
-    std::vector<std::string> words;
-    for (const lint::SourceLanguage one : lint::source_languages) words.emplace_back(name(one));
-    throw UserError(
-        fmt::format("{} '{}' is unknown: it must be one of {}", option, text, fmt::join(words, ", ")));
-  };
-  add_values(lint, "--language", options.languages, language, "NAME",
+  add_values(lint, "--language", options.languages, parse_choice(by_name(lint::source_languages)), "NAME",
              "only files of this language; may be repeated");
   add_values(lint, "--studies", options.studies, parse_text, "DIR",
              "also guard the constants of the studies in this folder; may be repeated");
-  const auto scope = [](const std::string& option, const std::string& text) {
-    std::vector<std::string_view> words;
-    for (const lint::FixScope one : lint::fix_scopes) {
-      if (text == name(one) || text.empty()) return one;  // the first one without a value
-      words.push_back(name(one));
-    }
-    throw UserError(
-        fmt::format("{} '{}' is unknown: it must be one of {}", option, text, fmt::join(words, ", ")));
+  const auto scope = [parse = parse_choice(by_name(lint::fix_scopes))](const std::string& option,
+                                                                       const std::string& text) {
+    return text.empty() ? lint::FixScope::pins : parse(option, text);
   };
   add_value(
       lint, "--fix", options.fix, scope, "pins|typo|wrong",
@@ -166,10 +235,12 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   const LintOptions options = with_config(given, tree);
   if (options.diff && options.format != findings::FindingFormat::text)
     throw UserError(fmt::format("--diff prints a diff: it takes no --format {}", name(options.format)));
-  LintReportOptions shown{.fail_on = grade_named(options.fail_on.value_or("wrong")), .all = options.all};
+  LintReportOptions shown{.fail_on = {}, .all = options.all};
+  for (const lint::Grade grade : failing_grades)
+    if (options.fail_on.value_or("wrong") == name(grade)) shown.fail_on = grade;
   if (options.baseline) shown.known = known_fingerprints(*options.baseline);
   if (const auto& folder = tree.configured.folder; !folder.empty())
-    shown.project = std::filesystem::absolute(folder).lexically_normal();
+    shown.project = fs::absolute(folder).lexically_normal();
   lint::EffectLimits limits;
   limits.of_all = options.max_effect;
   const lint::KnownConstants known = known_constants(options.studies);

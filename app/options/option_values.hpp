@@ -47,21 +47,28 @@ Choices<T> by_name(const std::array<T, N>& values) {
   return choices;
 }
 
+/// The value of one of a few words.
+template <class T>
+auto parse_choice(const Choices<T>& choices) {
+  return [choices](const std::string& option, const std::string& text) {
+    std::vector<std::string> words;
+    for (const auto& [word, chosen] : choices) {
+      if (word == text) return chosen;
+      words.push_back(word);
+    }
+    throw UserError(
+        fmt::format("{} '{}' is unknown: it must be one of {}", option, text, fmt::join(words, ", ")));
+  };
+}
+
 /// An option whose value is one of a few words.
 template <class V, class T>
 CLI::Option* add_choice(CLI::App& command, const std::string& option, V& value, const Choices<T>& choices,
                         const std::string& help) {
   std::vector<std::string> words;
   for (const auto& choice : choices) words.push_back(choice.first);
-  const auto parse = [choices, words](const std::string& of, const std::string& text) {
-    for (const auto& [word, chosen] : choices) {
-      if (word == text) return chosen;
-    }
-    throw UserError(
-        fmt::format("{} '{}' is unknown: it must be one of {}", of, text, fmt::join(words, ", ")));
-  };
-  CLI::Option* added =
-      add_value(command, option, value, parse, fmt::format("{}", fmt::join(words, "|")), help);
+  CLI::Option* added = add_value(command, option, value, parse_choice(choices),
+                                 fmt::format("{}", fmt::join(words, "|")), help);
   for (const auto& [word, chosen] : choices) {
     if (value == chosen) added->default_str(word);
   }

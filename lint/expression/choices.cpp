@@ -12,17 +12,6 @@ bool begins_with(std::string_view text, std::string_view word) {
   return text.starts_with(word) && (text.size() == word.size() || !is_of_name(text[word.size()]));
 }
 
-/// The position of a sign outside of parentheses, or the end of the text.
-std::size_t sign_outside(std::string_view text, char sign) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == sign && depth == 0) return i;
-    if (text[i] == '(' || text[i] == '[') ++depth;
-    if (text[i] == ')' || text[i] == ']') --depth;
-  }
-  return text.size();
-}
-
 /// "let y = if x < t": what stands before the word, the condition, and what follows it.
 struct Head {
   std::string before, condition, rest;
@@ -32,17 +21,15 @@ struct Head {
 Head condition_and_rest(std::string_view text, CommentStyle style) {
   text = trimmed(text);
   if (text.starts_with('(')) {
-    const std::size_t close = 1 + sign_outside(text.substr(1), ')');
+    const std::size_t close = 1 + place_outside(text.substr(1), ")");
     const std::string_view rest = trimmed(text.substr(std::min(close + 1, text.size())));
     // In "(x + 1) < t" they are only a part of the condition.
-    const bool is_part =
-        !rest.empty() && std::string_view("<>=!&|+-*/.").find(rest.front()) != std::string_view::npos;
-    if (!is_part) {
+    if (rest.empty() || !is_one_of(rest.front(), "<>=!&|+-*/.")) {
       const bool has_colon = style == CommentStyle::hash && rest.starts_with(':');
       return {"", std::string(text.substr(1, close - 1)), std::string(rest.substr(has_colon ? 1 : 0))};
     }
   }
-  const std::size_t colon = style == CommentStyle::hash ? sign_outside(text, ':') : text.size();
+  const std::size_t colon = style == CommentStyle::hash ? place_outside(text, ":") : text.size();
   return {"", std::string(text.substr(0, colon)), std::string(text.substr(std::min(colon + 1, text.size())))};
 }
 

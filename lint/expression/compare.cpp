@@ -1,14 +1,271 @@
 #include "lint/expression/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "lint/expression/curves.hpp"
 #include "lint/expression/mutants.hpp"
 
 namespace shadefit::lint {
 namespace {
+
+using Values = std::vector<double>;
+using Places = std::vector<std::vector<double>>;
+
+/// Published digits and their floats differ by 1e-7, and polynomials with large terms enlarge that.
+constexpr double same_curve = 1e-5;
+
+/// Numbers that are the same to all digits of float32 differ by less than this, relatively.
+constexpr double same_number = 1e-6;
+
+bool is_near(double a, double b, double slack) {
+  return std::abs(a - b) <= slack * std::max(std::abs(a), std::abs(b));
+}
+
+/// How many of the wanted numbers are among these, to the accuracy of a float.
+std::size_t count_held(const std::vector<double>& numbers, const std::vector<double>& wanted) {
+  return static_cast<std::size_t>(std::ranges::count_if(wanted, [&](double value) {
+    return std::ranges::any_of(numbers, [&](double number) { return is_near(number, value, same_number); });
+  }));
+}
+
+/// A part of an expression with what it holds.
+struct Part {
+  Symbolic formula;
+  std::set<std::string> names;
+  std::vector<double> numbers;
+  std::size_t held = 0;  ///< how many of the wanted numbers
+};
+
+/// All parts of an expression, inner ones first.
+Part collect(const Symbolic& formula, const std::vector<double>& wanted, std::vector<Part>& parts) {
+  Part whole{formula, {}, {}};
+  if (formula.kind() == Symbolic::Kind::variable) whole.names.insert(formula.name());
+  if (formula.kind() == Symbolic::Kind::number) whole.numbers.push_back(constant<double>(formula.name()));
+  for (const Symbolic& inner : formula.parts()) {
+    const Part part = collect(inner, wanted, parts);
+    whole.names.insert(part.names.begin(), part.names.end());
+    whole.numbers.insert(whole.numbers.end(), part.numbers.begin(), part.numbers.end());
+  }
+  whole.held = count_held(whole.numbers, wanted);
+  if (!formula.parts().empty()) parts.push_back(whole);
+  return whole;
+}
+
+/// The parts that hold as many of the wanted numbers as the whole does, inner ones first. Empty if it holds
+/// none.
+std::vector<Part> full_parts(const Symbolic& formula, const std::vector<double>& wanted) {
+  std::vector<Part> parts;
+  const std::size_t held = collect(formula, wanted, parts).held;
+  std::erase_if(parts, [&](const Part& part) { return part.held < held || held == 0; });
+  return parts;
+}
+
+/// Places inside the ranges, not in simple ratios to each other: multiples of the generalised golden ratio
+/// (the R sequence of M. Roberts, 2018).
+Places places_in(const std::vector<KnownAxis>& axes) {
+  constexpr int count = 9;
+  constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
+  Places places;
+  for (int i = 1; i <= count; ++i) {
+    std::vector<double> place;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const double share = std::fmod(i * steps[axis], 1.0);
+      place.push_back(axes[axis].lower + (axes[axis].upper - axes[axis].lower) * share);
+    }
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+/// Places on both sides of the thresholds of the form, in turn at one of the other places. All of those may
+/// lie on one side. They are far from the threshold, because another near one may join the branches better.
+Places places_beside_thresholds(const KnownSet& set, const Places& places) {
+  constexpr double far = 2;
+  Places beside;
+  for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
+    const KnownAxis& range = set.axes[axis];
+    for (const double threshold : thresholds_of(set, set.formula, published_values(set), range.variable)) {
+      for (const double value : {threshold / far, threshold * far}) {
+        if (!(range.lower < value && value < range.upper)) continue;
+        beside.push_back(places[beside.size() % places.size()]);
+        beside.back()[axis] = value;
+      }
+    }
+  }
+  return beside;
+}
+
+/// Places near the lower and the upper ends, where a lost term may be all that is left.
+Places ends_of(const std::vector<KnownAxis>& axes) {
+  Places ends(2);
+  constexpr double near = 1e-4;
+  for (const KnownAxis& axis : axes) {
+    ends[0].push_back(axis.lower + (axis.upper - axis.lower) * near);
+    ends[1].push_back(axis.upper - (axis.upper - axis.lower) * near);
+  }
+  return ends;
+}
+
+/// The values of a formula at places. Its names are in the order of a place's numbers.
+Values values_at(const Symbolic& formula, const std::vector<std::string>& names, const Places& places) {
+  Values values;
+  for (const std::vector<double>& place : places) {
+    values.push_back(evaluate<double>(formula, [&](const std::string& name) {
+      const auto found = std::ranges::find(names, name);
+      return found == names.end() ? std::nan("") : place[static_cast<std::size_t>(found - names.begin())];
+    }));
+  }
+  return values;
+}
+
+double largest(const Values& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// Whether the first `count` values of two curves agree, to `slack` of the largest. Places where both have no
+/// value do not count.
+bool are_same(const Values& a, const Values& b, std::size_t count, double slack) {
+  const double most = largest(b);
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isfinite(a[i]) != std::isfinite(b[i])) return false;
+    if (!std::isfinite(b[i])) continue;
+    ++finite;
+    if (!(std::abs(a[i] - b[i]) <= slack * most)) return false;
+  }
+  return 2 * finite > count;
+}
+
+/// If the first `count` values are a simple multiple (1/2, pi, 1/ln 2) of another curve, the values divided
+/// by that factor. Otherwise empty.
+std::optional<Values> without_factor(const Values& values, const Values& of, std::size_t count) {
+  const auto largest_of = std::max_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(count),
+                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double factor = values[static_cast<std::size_t>(largest_of - of.begin())] / *largest_of;
+  if (!std::isfinite(factor) || factor == 0 || !is_common_number(factor)) return std::nullopt;
+  Values divided = values;
+  for (double& value : divided) value /= factor;
+  return divided;
+}
+
+/// A form of the variables and constants of a set, with values of the constants.
+struct Curve {
+  Symbolic form;
+  std::vector<double> constants;
+};
+
+/// The curves of the parts of an expression, for each order of their names, and with numbers for variables.
+class CurveComparison {
+ public:
+  CurveComparison(const KnownSet& set, const std::vector<Part>& parts) : set_(set) {
+    Places places = places_in(set.axes);
+    for (std::vector<double>& place : places_beside_thresholds(set, places))
+      places.push_back(std::move(place));
+    inner_places_ = places.size();
+    for (std::vector<double>& end : ends_of(set.axes)) places.push_back(std::move(end));
+    sample(parts, places, {});
+    if (set.axes.size() < 2) return;
+    // A number of the expression may be the value of a variable: g = 0.76. Not at the ends: there, as at 0,
+    // the curve may not depend on all constants.
+    for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
+      for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
+        if (number <= set.axes[axis].lower || number >= set.axes[axis].upper) continue;
+        Places held = places;
+        for (std::vector<double>& place : held) place[axis] = number;
+        sample(parts, held, axis);
+      }
+    }
+  }
+
+  bool is_empty() const { return sampled_.empty(); }
+
+  /// Whether a part has this curve inside the ranges. Their ends are left out, because programs have branches
+  /// there.
+  bool has(const Curve& curve) const {
+    return std::ranges::any_of(sampled_, [&](const Sampled& sampled) {
+      return is_there(sampled, values_of(curve, sampled.places), inner_places_);
+    });
+  }
+
+  /// Whether a part has a simple multiple of this curve inside the ranges: exp2(-1 - a c) is half of exp2(-a
+  /// c).
+  bool has_multiple(const Curve& curve) const {
+    return std::ranges::any_of(sampled_, [&](const Sampled& sampled) {
+      const Values values = values_of(curve, sampled.places);
+      return largest(values) > 0 && std::ranges::any_of(sampled.curves, [&](const Values& other) {
+               const auto divided = without_factor(other, values, inner_places_);
+               return divided && are_same(*divided, values, inner_places_, same_curve);
+             });
+    });
+  }
+
+  /// Whether a part has this curve, also at the ends, and the curve differs from all allowed ones by more
+  /// than `hidden` of the largest value.
+  bool has_other(const Curve& curve, const std::vector<Curve>& allowed, double hidden) const {
+    return std::ranges::any_of(sampled_, [&](const Sampled& sampled) {
+      const Values values = values_of(curve, sampled.places);
+      return is_there(sampled, values, values.size()) &&
+             std::ranges::none_of(allowed, [&](const Curve& other) {
+               return are_same(values, values_of(other, sampled.places), values.size(), hidden);
+             });
+    });
+  }
+
+ private:
+  struct Sampled {
+    Places places;
+    std::vector<Values> curves;
+  };
+
+  /// Also for the curve times the factor of the set.
+  bool is_there(const Sampled& sampled, const Values& values, std::size_t count) const {
+    const auto has = [&](const Values& wanted) {
+      return std::ranges::any_of(
+          sampled.curves, [&](const Values& other) { return are_same(other, wanted, count, same_curve); });
+    };
+    if (!(largest(values) > 0)) return false;
+    if (has(values)) return true;
+    if (set_.times.empty()) return false;
+    // A sum of multiples is a multiple too.
+    Values multiple = values;
+    for (double& value : multiple) value *= set_.factor;
+    return has(multiple);
+  }
+
+  /// `held`: the variable that has a number's value at all these places.
+  void sample(const std::vector<Part>& parts, const Places& places, std::optional<std::size_t> held) {
+    Sampled sampled{places, {}};
+    Places free = places;
+    if (held)
+      for (std::vector<double>& place : free) place.erase(place.begin() + static_cast<std::ptrdiff_t>(*held));
+    for (const Part& part : parts) {
+      if (part.names.size() != set_.axes.size() - (held ? 1 : 0)) continue;
+      std::vector<std::string> order(part.names.begin(), part.names.end());
+      do {
+        sampled.curves.push_back(values_at(part.formula, order, free));
+      } while (std::next_permutation(order.begin(), order.end()));
+    }
+    if (!sampled.curves.empty()) sampled_.push_back(std::move(sampled));
+  }
+
+  Values values_of(const Curve& curve, Places places) const {
+    std::vector<std::string> names;
+    for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
+    for (std::size_t i = 0; i < set_.constants.size(); ++i) {
+      names.push_back(set_.constants[i].name);
+      for (std::vector<double>& place : places) place.push_back(curve.constants[i] / set_.factor);
+    }
+    return values_at(curve.form, names, places);
+  }
+
+  const KnownSet& set_;
+  std::size_t inner_places_ = 0;
+  std::vector<Sampled> sampled_;
+};
 
 /// The form and all its parts.
 void append_parts(const Curve& curve, std::vector<Curve>& parts) {
@@ -16,15 +273,10 @@ void append_parts(const Curve& curve, std::vector<Curve>& parts) {
   for (const Symbolic& part : curve.form.parts()) append_parts({part, curve.constants}, parts);
 }
 
-void append_names(const Symbolic& formula, std::set<std::string>& names) {
-  if (formula.kind() == Symbolic::Kind::variable) names.insert(formula.name());
-  for (const Symbolic& part : formula.parts()) append_names(part, names);
-}
-
 bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
   const std::set<std::string> names = names_of(formula);
-  return std::all_of(set.constants.begin(), set.constants.end(),
-                     [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
+  return std::ranges::all_of(set.constants,
+                             [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
 }
 
 /// The innermost part of the form that has all its constants, as a set of its own. For a phase function of k
@@ -124,7 +376,8 @@ class ExpressionMatcher {
 
 std::set<std::string> names_of(const Symbolic& formula) {
   std::set<std::string> names;
-  append_names(formula, names);
+  if (formula.kind() == Symbolic::Kind::variable) names.insert(formula.name());
+  for (const Symbolic& part : formula.parts()) names.merge(names_of(part));
   return names;
 }
 

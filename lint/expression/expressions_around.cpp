@@ -26,7 +26,7 @@ bool joins_lines(std::string_view text, std::size_t at) {
 
 /// Whether a character ends an expression at any depth.
 bool ends_statement(std::string_view text, std::size_t at) {
-  return std::string_view(";{}\"`$\\@").find(text[at]) != std::string_view::npos && !joins_lines(text, at);
+  return is_one_of(text[at], ";{}\"`$\\@") && !joins_lines(text, at);
 }
 
 /// Where the body of a macro begins whose definition has this place: behind "#define F(x)". Otherwise 0.
@@ -50,11 +50,6 @@ std::size_t macro_body(std::string_view text, std::size_t at) {
   return begin;
 }
 
-/// Whether a character is an operator that needs another operand.
-bool joins(char c) {
-  return std::string_view("+-*/(,?:<>&|=[^%").find(c) != std::string_view::npos;
-}
-
 char before(std::string_view text, std::size_t at) {
   while (at > 0 && is_blank(text[at - 1])) --at;
   return at > 0 ? text[at - 1] : ';';
@@ -69,30 +64,23 @@ char after(std::string_view text, std::size_t at) {
 bool goes_on(std::string_view text, std::size_t line_end) {
   if (joins_lines(text, line_end)) return true;
   const char last = before(text, line_end), next = after(text, line_end);
-  return joins(last) || std::string_view("+-*/),?:<>&|]^.").find(next) != std::string_view::npos;
+  return is_one_of(last, "+-*/(,?:<>&|=[^%") || is_one_of(next, "+-*/),?:<>&|]^.");
 }
 
 bool is_assignment(std::string_view text, std::size_t at) {
-  if (text[at] != '=') return false;
   const char last = at > 0 ? text[at - 1] : ' ', next = at + 1 < text.size() ? text[at + 1] : ' ';
-  return next != '=' && last != '=' && last != '<' && last != '>' && last != '!';
-}
-
-/// Whether "=>" stands there, between the parameters and the value of a function.
-bool is_arrow(std::string_view text, std::size_t at) {
-  return text.substr(at, 2) == "=>";
+  return text[at] == '=' && next != '=' && !is_one_of(last, "=<>!");
 }
 
 /// "x *= .." multiplies what follows, so that is only a part of an expression.
 bool is_behind_compound_assignment(std::string_view text, std::size_t begin) {
-  return begin >= 2 && text[begin - 1] == '=' &&
-         std::string_view("+-*/").find(text[begin - 2]) != std::string_view::npos;
+  return begin >= 2 && text[begin - 1] == '=' && is_one_of(text[begin - 2], "+-*/");
 }
 
 bool is_return(std::string_view text, std::size_t begin) {
   constexpr std::string_view word = "return";
-  return begin >= word.size() && text.substr(begin - word.size(), word.size()) == word &&
-         (begin == word.size() || !is_of_name(text[begin - word.size() - 1]));
+  const std::string_view before = text.substr(0, begin);
+  return before.ends_with(word) && (begin == word.size() || !is_of_name(before[begin - word.size() - 1]));
 }
 
 /// Where an expression around `begin` starts: after an opening parenthesis that closes after `begin`, after a
@@ -103,7 +91,8 @@ std::size_t begin_of(std::string_view text, std::size_t begin) {
   while (begin > least) {
     const char c = text[begin - 1];
     if (ends_statement(text, begin - 1)) break;
-    if (is_assignment(text, begin - 1) && !is_arrow(text, begin - 1)) break;
+    // "=>" stands between the parameters and the value of a function.
+    if (is_assignment(text, begin - 1) && text.substr(begin - 1, 2) != "=>") break;
     if (c == '\n' && depth == 0 && !goes_on(text, begin - 1)) break;
     if (is_close(c)) ++depth;
     if (is_open(c) && depth-- == 0) break;
@@ -131,6 +120,11 @@ std::size_t end_of(std::string_view text, std::size_t end) {
   return end;
 }
 
+/// Where the name of a function begins that ends there, with what it is a member of.
+std::size_t path_begin(std::string_view text, std::size_t end) {
+  return begin_of_run(text, end, [](char c) { return is_of_name(c) || c == '.' || c == ':'; });
+}
+
 /// Extends [begin, end) until its parentheses are balanced. False if they cannot be.
 bool balance(std::string_view text, std::size_t& begin, std::size_t& end) {
   int depth = 0, lowest = 0;
@@ -149,9 +143,7 @@ bool balance(std::string_view text, std::size_t& begin, std::size_t& end) {
     begin = begin_of(text, begin);
     while (begin > 0 && text[begin - 1] == ',') begin = begin_of(text, begin - 1);
     if (begin == 0 || !is_open(text[begin - 1])) return false;
-    --begin;
-    while (begin > 0 && (is_of_name(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
-      --begin;
+    begin = path_begin(text, begin - 1);
   }
   return true;
 }
@@ -175,8 +167,7 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
     --begin;
     if (is_open(text[begin]) && is_close(text[end])) {
       ++end;
-      while (begin > 0 && (is_of_name(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
-        --begin;
+      begin = path_begin(text, begin);
     } else if (is_open(text[begin])) {
       ++begin;
       ++end;  // over the comma

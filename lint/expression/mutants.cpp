@@ -1,6 +1,5 @@
 #include "lint/expression/mutants.hpp"
 
-#include <array>
 #include <functional>
 #include <utility>
 
@@ -11,26 +10,20 @@ namespace {
 
 using Kind = Symbolic::Kind;
 
+/// The other functions of the same family.
 std::vector<std::string_view> kin_of(std::string_view function) {
-  constexpr std::array<std::array<std::string_view, 3>, 4> families{{
-      {"exp", "exp2", "expm1"},
-      {"log", "log2", "log1p"},
-      {"sin", "cos", "tan"},
-      {"min", "max", "max"},
-  }};
-  std::vector<std::string_view> others;
-  for (const auto& family : families) {
-    bool is_in = false;
-    for (const std::string_view member : family) is_in = is_in || member == function;
-    if (!is_in) continue;
-    for (std::size_t i = 0; i < family.size(); ++i)
-      if (family[i] != function && (i == 0 || family[i] != family[i - 1])) others.push_back(family[i]);
-  }
-  return others;
+  const std::vector<std::string_view> families[] = {
+      {"exp", "exp2", "expm1"}, {"log", "log2", "log1p"}, {"sin", "cos", "tan"}, {"min", "max"}};
+  for (std::vector<std::string_view> family : families)
+    if (std::erase(family, function) > 0) return family;
+  return {};
 }
 
 bool is_sum(const Symbolic& formula) {
   return formula.kind() == Kind::add || formula.kind() == Kind::subtract;
+}
+bool is_product(const Symbolic& formula) {
+  return formula.kind() == Kind::multiply || formula.kind() == Kind::divide;
 }
 
 /// Whether a product or quotient only has a constant factor such as 1/pi: programs fold it into other
@@ -80,8 +73,7 @@ void append_moved_into_argument(const Symbolic& operation, std::vector<Symbolic>
 /// f(b x) as b f(x) or f(b) x, f(x - b) as f(x) - b; the same for each operation.
 void append_moved_out_of_argument(const Symbolic& function, std::vector<Symbolic>& others) {
   const Symbolic& inner = function.part(0);
-  const bool is_product = inner.kind() == Kind::multiply || inner.kind() == Kind::divide;
-  if ((!is_sum(inner) && !is_product) || is_scaled(inner)) return;
+  if ((!is_sum(inner) && !is_product(inner)) || is_scaled(inner)) return;
   others.push_back(inner.with_parts({applied_to(function, inner.part(0)), inner.part(1)}));
   others.push_back(inner.with_parts({inner.part(0), applied_to(function, inner.part(1))}));
 }
@@ -91,36 +83,27 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
   std::vector<Symbolic> others;
   const auto operation = [&](Kind kind) { others.push_back(Symbolic::operation(kind, formula.parts())); };
   const auto parts = [&] { others.insert(others.end(), formula.parts().begin(), formula.parts().end()); };
+  if (is_product(formula) && is_scaled(formula)) return others;
   switch (formula.kind()) {
     case Kind::add:
       operation(Kind::subtract);
       operation(Kind::multiply);
       parts();
-      append_moved_parentheses(formula, others);
-      append_moved_into_argument(formula, others);
       break;
     case Kind::subtract:
       operation(Kind::add);
       others.push_back(formula.part(1) - formula.part(0));
       parts();
-      append_moved_parentheses(formula, others);
-      append_moved_into_argument(formula, others);
       break;
     case Kind::multiply:
-      if (is_scaled(formula)) break;
       operation(Kind::add);
       operation(Kind::divide);
       parts();
-      append_lost_parentheses(formula, others);
-      append_moved_into_argument(formula, others);
       break;
     case Kind::divide:
-      if (is_scaled(formula)) break;
       operation(Kind::multiply);
       others.push_back(formula.part(1) / formula.part(0));
       others.push_back(formula.part(0));
-      append_lost_parentheses(formula, others);
-      append_moved_into_argument(formula, others);
       break;
     case Kind::negate:
       others.push_back(formula.part(0));
@@ -129,13 +112,11 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       for (const int change : {-1, 1})
         if (formula.exponent() + change != 0)
           others.push_back(Symbolic::integer_power(formula.part(0), formula.exponent() + change));
-      append_moved_out_of_argument(formula, others);
       break;
     case Kind::real_power:
       others.push_back(
           Symbolic::operation(Kind::real_power, {formula.part(0), Symbolic::number("1") / formula.part(1)}));
       others.push_back(formula.part(0));
-      append_moved_out_of_argument(formula, others);
       break;
     case Kind::choice:
       others.push_back(
@@ -145,7 +126,6 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       for (const std::string_view other : kin_of(formula.name()))
         others.push_back(Symbolic::function(other, formula.parts()));
       if (formula.parts().size() == 1) parts();
-      append_moved_out_of_argument(formula, others);
       break;
     case Kind::variable:
     case Kind::number:
@@ -153,22 +133,25 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
     case Kind::integral:
       break;
   }
+  if (is_sum(formula)) append_moved_parentheses(formula, others);
+  if (is_product(formula)) append_lost_parentheses(formula, others);
+  if (is_sum(formula) || is_product(formula)) append_moved_into_argument(formula, others);
+  if (is_applied(formula)) append_moved_out_of_argument(formula, others);
   return others;
 }
 
-using Visit = std::function<void(const Symbolic& whole, const Symbolic& before, const Symbolic& after)>;
-
-/// Visits the whole formula with each slip of each part.
-void visit_slips(const Symbolic& part, const std::function<Symbolic(const Symbolic&)>& around,
-                 const Visit& visit) {
-  for (const Symbolic& other : slips_of(part)) visit(around(other), part, other);
+/// Adds the whole formula with each slip of each part.
+void append_mutants(const Symbolic& part, const std::function<Symbolic(const Symbolic&)>& around,
+                    std::vector<Mutant>& mutants) {
+  for (const Symbolic& other : slips_of(part))
+    mutants.push_back({around(other), to_text(other) + " for " + to_text(part)});
   for (std::size_t i = 0; i < part.parts().size(); ++i) {
     const auto with_part = [&](const Symbolic& inner) {
       std::vector<Symbolic> parts = part.parts();
       parts[i] = inner;
       return around(part.with_parts(std::move(parts)));
     };
-    visit_slips(part.part(i), with_part, visit);
+    append_mutants(part.part(i), with_part, mutants);
   }
 }
 
@@ -176,11 +159,7 @@ void visit_slips(const Symbolic& part, const std::function<Symbolic(const Symbol
 
 std::vector<Mutant> mutants_of(const Symbolic& formula) {
   std::vector<Mutant> mutants;
-  visit_slips(
-      formula, [](const Symbolic& whole) { return whole; },
-      [&](const Symbolic& whole, const Symbolic& before, const Symbolic& after) {
-        mutants.push_back({whole, to_text(after) + " for " + to_text(before)});
-      });
+  append_mutants(formula, std::identity(), mutants);
   return mutants;
 }
 

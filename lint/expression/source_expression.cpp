@@ -1,49 +1,310 @@
 #include "lint/expression/source_expression.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "fit/formula/parse_formula.hpp"
-#include "lint/expression/rewriter.hpp"
+#include "fit/formula/shader_calls.hpp"
+#include "lint/expression/calls.hpp"
 #include "lint/expression/statements.hpp"
+#include "lint/scan/characters.hpp"
+#include "lint/scan/literals.hpp"
 
 namespace shadefit::lint {
 namespace {
 
-/// The position of a word outside of parentheses, or npos.
-std::size_t word_outside(std::string_view text, std::string_view word) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '(' || text[i] == '[') ++depth;
-    if (text[i] == ')' || text[i] == ']') --depth;
-    if (depth == 0 && text.substr(i).starts_with(word)) return i;
+/// Rewrites a program's expression in the notation of formulas.
+class Rewriter {
+ public:
+  explicit Rewriter(std::string text) : text_(std::move(text)) {}
+
+  /// The expression, which has no comments, as a formula of v0, v1 and so on. Empty if it has operations
+  /// other than those of scalars.
+  std::optional<std::string> rewrite() {
+    while (at_ < text_.size()) {
+      if (out_.size() > longest_formula) return std::nullopt;
+      const char c = text_[at_];
+      if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
+        number();
+      } else if (is_of_name(c)) {
+        if (!word()) return std::nullopt;
+      } else if (c == '*' && peek(1) == '*') {
+        out_ += '^';
+        at_ += 2;
+        blanks();
+        if (peek(0) == '-') {  // the sign of an exponent is directly before it
+          out_ += '-';
+          ++at_;
+          blanks();
+        }
+      } else if (c == '.') {
+        if (!method()) return std::nullopt;
+      } else if (c == '-' && is_behind_operator()) {
+        negation();
+      } else if (c == '+' && is_unary_plus()) {
+        ++at_;
+      } else {
+        if (!is_one_of(c, "+-*/(),?:<>=!&| \t\r\n")) return std::nullopt;
+        out_ += c;
+        ++at_;
+      }
+    }
+    return out_;
   }
-  return std::string_view::npos;
-}
+
+  /// What v0, v1 and so on stand for in the program.
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+  void blanks() { at_ = end_of_run(text_, at_, is_blank); }
+
+  /// The last character of the output that is no blank; '(' if there is none.
+  char last() const {
+    const std::size_t end = begin_of_run(out_, out_.size(), is_blank);
+    return end == 0 ? '(' : out_[end - 1];
+  }
+
+  bool is_behind_operator() const { return is_one_of(last(), "+-*/"); }
+
+  /// A sign that changes nothing, as in "return + a * x"; not that of "++i".
+  bool is_unary_plus() const { return peek(1) != '+' && is_one_of(last(), "+-*/^(,?:<>=&|"); }
+
+  /// Programs write a + -2 * b and a / -b; formulas need a + (-2) * b and a / (-1) / b.
+  void negation() {
+    const char before = last();
+    ++at_;
+    blanks();
+    if (is_digit(peek(0)) || peek(0) == '.') {
+      out_ += "(-";
+      number();
+      out_ += ')';
+    } else {
+      out_ += before == '/' ? "(-1) / " : "(-1) * ";
+    }
+  }
+
+  /// A number without its suffix and separators.
+  void number() {
+    const std::size_t first = at_;
+    const auto is_sign_of_exponent = [&] {
+      const char last = at_ > first ? text_[at_ - 1] : ' ';
+      return (peek(0) == '-' || peek(0) == '+') && (last == 'e' || last == 'E') && is_digit(peek(1));
+    };
+    const auto is_part = [&] {
+      const bool has_member = is_letter(peek(1)) && peek(1) != 'f';
+      return is_of_name(peek(0)) || (peek(0) == '.' && !has_member) || is_sign_of_exponent();
+    };
+    while (is_part()) ++at_;
+    out_ += plain(digits_of(std::string_view(text_).substr(first, at_ - first)));
+  }
+
+  static std::string plain(const Digits& digits) {
+    if (digits.text.empty()) return "0";
+    constexpr int most_zeros = 20;
+    const auto count = static_cast<int>(digits.text.size());
+    if (digits.exponent < -most_zeros || digits.exponent > most_zeros)
+      return "0." + digits.text + "e" + std::to_string(digits.exponent);
+    if (digits.exponent <= 0)
+      return "0." + std::string(static_cast<std::size_t>(-digits.exponent), '0') + digits.text;
+    if (digits.exponent >= count)
+      return digits.text + std::string(static_cast<std::size_t>(digits.exponent - count), '0');
+    const auto whole = static_cast<std::size_t>(digits.exponent);
+    return digits.text.substr(0, whole) + "." + digits.text.substr(whole);
+  }
+
+  std::string take_word() {
+    const std::size_t first = at_;
+    at_ = end_of_run(text_, at_, is_of_name);
+    return text_.substr(first, at_ - first);
+  }
+
+  /// After an opening parenthesis: the text up to the closing one. Empty without one.
+  std::optional<std::string> group(char open, char close) {
+    std::size_t depth = 0;
+    const std::size_t first = at_;
+    for (; at_ < text_.size(); ++at_) {
+      if (text_[at_] == open) ++depth;
+      if (text_[at_] == close && --depth == 0) {
+        ++at_;
+        return text_.substr(first + 1, at_ - first - 2);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The components of a vector, if they are all the same: vec3(0.055, 0.055, 0.055).
+  static std::optional<std::string> only_component(std::string_view group) {
+    const std::vector<std::string_view> components = arguments_in(group);
+    const bool is_one =
+        std::ranges::all_of(components, [&](std::string_view one) { return one == components.front(); });
+    return is_one ? std::optional(std::string(components.front())) : std::nullopt;
+  }
+
+  void name(const std::string& text) {
+    const auto found = std::ranges::find(names_, text);
+    out_ += "v" + std::to_string(found - names_.begin());
+    if (found == names_.end()) names_.push_back(text);
+  }
+
+  /// A name with its members, elements and qualifiers; a function; or a constructor.
+  bool word() {
+    std::string path = take_word();
+    while (true) {
+      if (peek(0) == ':' && peek(1) == ':' && is_of_name(peek(2))) {
+        at_ += 2;
+        path = take_word();  // a namespace has no meaning here
+      } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
+        at_ += 2;
+        path += "." + take_word();
+      } else if (peek(0) == '.' && is_of_name(peek(1)) && (is_module(path) || !is_method())) {
+        ++at_;
+        const std::string member = take_word();
+        path = is_module(path) ? member : path + "." + member;
+      } else if (peek(0) == '[') {
+        const auto inside = group('[', ']');
+        if (!inside) return false;
+        path += "[" + *inside + "]";
+      } else {
+        break;
+      }
+    }
+    if (is_number_type(path) && peek(0) == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
+    const std::size_t behind = at_;
+    blanks();
+    if (peek(0) == '(') return call(path);
+    at_ = behind;
+    if (const auto multiple = pi_in(path))
+      out_ += *multiple;
+    else
+      name(path);
+    return true;
+  }
+
+  /// Prefixes of functions that have no meaning here: Math.pow, np.exp, System.MathF.Pow.
+  static bool is_module(std::string_view path) {
+    constexpr std::array<std::string_view, 11> modules{"Math",  "MathF", "Mathf", "StrictMath", "math", "np",
+                                                       "numpy", "jnp",   "torch", "tf",         "dr"};
+    const std::string_view last = path.substr(path.rfind('.') + 1);
+    return std::ranges::find(modules, last) != modules.end();
+  }
+
+  /// Whether a member that begins here is a method of the number before it: x.powf(2.4).
+  bool is_method() const {
+    const std::string_view rest = std::string_view(text_).substr(at_ + 1);
+    constexpr std::array<std::string_view, 14> methods{"powf(",  "powi(",  "pow(", "sqrt()", "exp()",
+                                                       "exp2()", "log2()", "ln()", "abs()",  "mul_add(",
+                                                       "mul(",   "add(",   "sub(", "div("};
+    return std::ranges::any_of(methods, [&](std::string_view method) { return rest.starts_with(method); });
+  }
+
+  bool call(const std::string& path) {
+    const std::size_t open = at_;
+    if (is_number_type(path)) {
+      const auto inside = group('(', ')');
+      if (!inside) return false;
+      const auto component = only_component(*inside);
+      if (!component) return false;
+      text_.replace(open + 1, inside->size(), *component);
+      at_ = open;  // the parentheses stay
+      return true;
+    }
+    const std::string function = usual_name(path);
+    if (!argument_counts(function).empty()) {
+      out_ += function;
+      return true;
+    }
+    const auto inside = group('(', ')');
+    if (!inside) return false;
+    if (const auto formula = call_as_formula(path, *inside)) {
+      text_.replace(open + 1, inside->size(), *formula);
+      at_ = open;  // the parentheses stay
+    } else {
+      name(path + "(" + *inside + ")");
+    }
+    return true;
+  }
+
+  /// x.powf(2.4) and (..).powf(2.4) become pow(x, 2.4).
+  bool method() {
+    if (!is_method()) return swizzle();
+    ++at_;
+    std::string function = take_word();
+    if (function == "ln") function = "log";
+    if (function == "powi" || function == "powf") function = "pow";
+    if (function == "mul_add") function = "fma";
+    const auto inside = group('(', ')');
+    if (!inside) return false;
+    const std::size_t begin = receiver();
+    if (begin == out_.size()) return false;
+    Rewriter arguments(*inside);
+    arguments.names_ = names_;
+    const auto rest = arguments.rewrite();
+    if (!rest) return false;
+    names_ = arguments.names_;
+    const std::string number = out_.substr(begin);
+    // x.mul(2) of three.js and of matrix libraries is x * (2).
+    const std::string_view sign = operator_of(function);
+    out_.resize(begin);
+    out_ += sign.empty() ? fmt::format("{}({}{}{})", function, number, rest->empty() ? "" : ", ", *rest)
+                         : fmt::format("({}{}({}))", number, sign, *rest);
+    return true;
+  }
+
+  /// Where the operand at the end of the output begins.
+  std::size_t receiver() const {
+    std::size_t begin = begin_of_run(out_, out_.size(), [](char c) { return c == ' '; });
+    if (begin > 0 && out_[begin - 1] == ')') {
+      int depth = 0;
+      while (begin > 0) {
+        --begin;
+        if (out_[begin] == ')') ++depth;
+        if (out_[begin] == '(' && --depth == 0) break;
+      }
+    }
+    return begin_of_run(out_, begin, [](char c) { return is_of_name(c) || c == '.'; });
+  }
+
+  /// Drops the components of a group: (..).xyz.
+  bool swizzle() {
+    ++at_;
+    const std::string components = take_word();
+    return !components.empty() && components.size() <= 4 &&
+           components.find_first_not_of("xyzwrgba") == std::string::npos;
+  }
+
+  std::string text_, out_;
+  std::size_t at_ = 0;
+  std::vector<std::string> names_;
+};
 
 /// Python's "a if x < t else b" as x < t ? a : b.
 std::string with_sign_of_choice(std::string text) {
   constexpr std::string_view condition = " if ", other = " else ";
-  const std::size_t first = word_outside(text, condition), second = word_outside(text, other);
-  if (first == std::string::npos || second == std::string::npos || second < first) return text;
+  const std::size_t first = place_outside(text, condition), second = place_outside(text, other);
+  if (second == text.size() || second < first) return text;
   const std::size_t begin = first + condition.size();
-  return "(" + text.substr(begin, second - begin) + ") ? (" + text.substr(0, first) + ") : (" +
-         with_sign_of_choice(text.substr(second + other.size())) + ")";
+  return fmt::format("({}) ? ({}) : ({})", text.substr(begin, second - begin), text.substr(0, first),
+                     with_sign_of_choice(text.substr(second + other.size())));
 }
 
 /// What stands before the value of a function without a name ends here: behind "c =>", "(float c) ->",
 /// "lambda c:" or "|c: f32|". 0 for any other text.
 std::size_t value_begin(std::string_view text) {
   constexpr std::string_view lambda = "lambda ";
-  if (text.starts_with(lambda)) return std::min(word_outside(text, ":"), text.size() - 1) + 1;
+  if (text.starts_with(lambda)) return std::min(place_outside(text, ":"), text.size() - 1) + 1;
   if (text.starts_with('|') && !text.starts_with("||"))
     return std::min(text.find('|', 1), text.size() - 1) + 1;
-  if (const std::size_t arrow = word_outside(text, "=>"); arrow != std::string_view::npos) return arrow + 2;
   // Elsewhere "p->x" is a member.
-  const std::size_t arrow = word_outside(text, "-> ");
-  return arrow == std::string_view::npos ? 0 : arrow + 2;
+  for (const std::string_view arrow : {"=>", "-> "})
+    if (const std::size_t at = place_outside(text, arrow); at < text.size()) return at + 2;
+  return 0;
 }
 
 /// The value of a function without a name, whose head may be there: "c => a * c" is a * c.
@@ -58,20 +319,21 @@ std::string_view function_value(std::string_view text) {
 
 bool is_number(const Symbolic& formula) {
   if (formula.kind() == Symbolic::Kind::variable) return false;
-  return std::all_of(formula.parts().begin(), formula.parts().end(), is_number);
+  return std::ranges::all_of(formula.parts(), is_number);
 }
 
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
   std::string plain(function_value(without_comments(text, style)));
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
-  const auto source = in_formula_notation(plain);
-  if (!source) return std::nullopt;
+  Rewriter source(std::move(plain));
+  const auto rewritten = source.rewrite();
+  if (!rewritten) return std::nullopt;
   FormulaNames names;
-  for (std::size_t i = 0; i < source->names.size(); ++i) names.variables.push_back("v" + std::to_string(i));
+  for (std::size_t i = 0; i < source.names().size(); ++i) names.variables.push_back("v" + std::to_string(i));
   try {
-    const Symbolic formula = read_formula(source->formula, names).formula;
+    const Symbolic formula = read_formula(*rewritten, names).formula;
     return evaluate<Symbolic>(formula, [&](const std::string& name) {
-      return Symbolic::variable(source->names[std::stoul(name.substr(1))]);
+      return Symbolic::variable(source.names()[std::stoul(name.substr(1))]);
     });
   } catch (const std::invalid_argument&) {
     return std::nullopt;

@@ -11,17 +11,20 @@ namespace {
 /// The last name of "const float3 a", of "let a: f32" the one before the colon.
 std::string assigned_name(std::string_view left) {
   left = trimmed(left.substr(0, left.find(':')));
-  std::size_t first = left.size();
-  while (first > 0 && (is_of_name(left[first - 1]) || left[first - 1] == '.')) --first;
-  return std::string(left.substr(first));
+  const auto is_of_path = [](char c) { return is_of_name(c) || c == '.'; };
+  return std::string(left.substr(begin_of_run(left, left.size(), is_of_path)));
 }
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
+std::size_t place_outside(std::string_view text, std::string_view word) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (depth == 0 && text.substr(i).starts_with(word)) return i;
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if (text[i] == ')' || text[i] == ']') --depth;
+  }
+  return text.size();
 }
 
 std::string without_comments(std::string_view text, CommentStyle style) {
@@ -33,8 +36,8 @@ std::string without_comments(std::string_view text, CommentStyle style) {
       i = std::min(text.find('\n', i), text.size());
     } else if (has_slashes(style) && text.substr(i, 2) == "/*") {
       i = std::min(text.find("*/", i + 2), text.size()) + 1;
-    } else if (text[i] == '\\' && text.substr(i + 1).find_first_not_of('\r') < text.size() &&
-               text[i + 1 + text.substr(i + 1).find_first_not_of('\r')] == '\n') {
+    } else if (text[i] == '\\' &&
+               text.substr(end_of_run(text, i + 1, [](char c) { return c == '\r'; })).starts_with('\n')) {
       // The body of a macro goes on in the next line.
     } else {
       out += text[i];
@@ -54,9 +57,8 @@ std::optional<Assignment> assignment_of(std::string_view statement) {
     if (statement[i] == '(') break;
     if (statement[i] != '=') continue;
     if (statement[i + 1] == '>') break;  // c => a * c
-    if (statement[i + 1] == '=' || std::string_view("=<>!").find(statement[i - 1]) != std::string_view::npos)
-      return std::nullopt;
-    const bool is_compound = std::string_view("+-*/").find(statement[i - 1]) != std::string_view::npos;
+    if (statement[i + 1] == '=' || is_one_of(statement[i - 1], "=<>!")) return std::nullopt;
+    const bool is_compound = is_one_of(statement[i - 1], "+-*/");
     const std::size_t sign = is_compound ? i - 1 : i - (statement[i - 1] == ':' ? 1 : 0);
     std::string name = assigned_name(statement.substr(0, sign));
     if (name.empty()) return std::nullopt;

@@ -27,8 +27,8 @@ struct Assignment {
 /// Empty for a comparison and for what has no name on its left side.
 std::optional<Assignment> assignment_of(std::string_view statement);
 
-/// The text without blanks around.
-std::string_view trimmed(std::string_view text);
+/// The first place of a word outside of parentheses, or the end of the text.
+std::size_t place_outside(std::string_view text, std::string_view word);
 
 /// The text without comments, and without the backslashes that join its lines.
 std::string without_comments(std::string_view text, CommentStyle style);

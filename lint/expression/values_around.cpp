@@ -21,13 +21,10 @@ constexpr std::size_t deepest_value = 60;
 
 /// Whether a name and "=" follow: the next declaration of "float a = 2.51, b = 0.03".
 bool begins_declaration(std::string_view text) {
-  std::size_t i = 0;
-  while (i < text.size() && is_blank(text[i])) ++i;
-  const std::size_t first = i;
-  while (i < text.size() && is_of_name(text[i])) ++i;
-  if (i == first || is_digit(text[first])) return false;
-  while (i < text.size() && is_blank(text[i])) ++i;
-  return i + 1 < text.size() && text[i] == '=' && text[i + 1] != '=';
+  const std::size_t first = end_of_run(text, 0, is_blank), end = end_of_run(text, first, is_of_name);
+  if (end == first || is_digit(text[first])) return false;
+  const std::size_t sign = end_of_run(text, end, is_blank);
+  return sign + 1 < text.size() && text[sign] == '=' && text[sign + 1] != '=';
 }
 
 /// The statements of a text from the one with `begin` on.
@@ -37,23 +34,16 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
   const std::string_view joining = style == CommentStyle::hash ? "+-*/(,=" : "+-*/(,?:=";
   const auto ends = [&](std::size_t i, int depth) {
     const char c = text[i];
-    if (c == ';' || c == '{' || c == '}') return true;
+    if (is_one_of(c, ";{}")) return true;
     // Python, Go, Swift and JavaScript end a statement with its line.
-    const bool is_line = c == '\n' && depth <= 0;
-    if (!is_line) return false;
-    std::size_t last = i, next = i;
-    while (last > 0 && is_blank(text[last - 1])) --last;
-    while (next < text.size() && is_blank(text[next])) ++next;
-    const bool goes_on =
-        (last > 0 && joining.find(text[last - 1]) != std::string_view::npos) ||
-        (next < text.size() && std::string_view("+-*/)?:.,").find(text[next]) != std::string_view::npos);
-    return !goes_on;
+    if (c != '\n' || depth > 0) return false;
+    const std::size_t last = begin_of_run(text, i, is_blank), next = end_of_run(text, i, is_blank);
+    return !(last > 0 && is_one_of(text[last - 1], joining)) &&
+           !(next < text.size() && is_one_of(text[next], "+-*/)?:.,"));
   };
   std::size_t first = begin;
   const std::size_t least = begin - std::min(begin, most_bytes_around);
-  while (first > least && text[first - 1] != ';' && text[first - 1] != '{' && text[first - 1] != '}' &&
-         !(text[first - 1] == '\n' && ends(first - 1, 0)))
-    --first;
+  while (first > least && !ends(first - 1, 0)) --first;
   std::vector<Statement> statements;
   std::size_t behind = 0;
   int depth = 0;
@@ -75,8 +65,7 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
 /// Whether the block whose brace stands there is a branch: "if (x < t) {".
 bool is_branch(std::string_view text, std::size_t brace) {
   const std::string_view before = text.substr(0, brace);
-  const std::size_t end = before.find_last_of(";{}");
-  const std::string_view head = before.substr(end == std::string_view::npos ? 0 : end + 1);
+  const std::string_view head = before.substr(before.find_last_of(";{}") + 1);  // npos + 1 is 0
   const std::size_t word = head.rfind("if");
   return word != std::string_view::npos && (word == 0 || !is_of_name(head[word - 1])) &&
          word + 2 < head.size() && !is_of_name(head[word + 2]);

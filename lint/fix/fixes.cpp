@@ -20,16 +20,15 @@ bool is_fixed(const LintedSite& site, FixScope scope) {
 /// site is wrong, the other one is why.
 bool stays_short(const LintedSite& site, const LintedNumber& number) {
   return !site.is_pinned && number.grade == Grade::truncated &&
-         std::any_of(site.numbers.begin(), site.numbers.end(),
-                     [](const LintedNumber& other) { return other.grade > Grade::truncated; });
+         std::ranges::any_of(site.numbers,
+                             [](const LintedNumber& other) { return other.grade > Grade::truncated; });
 }
 
 /// Whether a factor such as "\times 10^{-13}" follows: the published number may include it.
 bool is_before_factor(std::string_view text, std::size_t end) {
   constexpr std::size_t looked_at = 16;
-  const std::string_view rest = text.substr(end, looked_at);
-  return rest.substr(0, rest.find('\n')).find("10^") != std::string_view::npos ||
-         rest.substr(0, rest.find('\n')).find("10**") != std::string_view::npos;
+  const std::string_view rest = line_at(text.substr(end, looked_at), 0);
+  return rest.find("10^") != std::string_view::npos || rest.find("10**") != std::string_view::npos;
 }
 
 }  // namespace

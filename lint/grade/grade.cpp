@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+
+#include "fit/support/decimal.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -30,31 +31,16 @@ Grade grade_of(const KnownSet& set, const SiteNumber& number) {
         is_shortened(digits_of(variant.printed), digits_of(set.constants[number.constant].printed));
     return is_short ? Grade::truncated : Grade::typo;
   }
-  switch (number.match) {
-    case DigitMatch::same:
-    case DigitMatch::longer:
-    case DigitMatch::float32:
-    case DigitMatch::enough:
-      return Grade::right;
-    case DigitMatch::rounded:
-      return Grade::truncated;
-    case DigitMatch::shifted:
-    case DigitMatch::edited:
-    case DigitMatch::rounded_and_edited:
-      return Grade::typo;
-  }
-  return Grade::right;
+  if (number.match < DigitMatch::rounded) return Grade::right;
+  return number.match == DigitMatch::rounded ? Grade::truncated : Grade::typo;
 }
 
 Grade grade_of_other(const KnownConstant& constant, double found) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::abs(found));
-  const Digits digits = digits_of({text.data(), static_cast<std::size_t>(end.ptr - text.data())});
-  return is_shortened(digits, digits_of(constant.printed)) ? Grade::truncated : Grade::typo;
+  return is_shortened(digits_of(to_text(std::abs(found))), digits_of(constant.printed)) ? Grade::truncated
+                                                                                        : Grade::typo;
 }
 
-std::vector<double> constants_at(const KnownSet& set, const Site& site,
-                                 const std::vector<Literal>& literals) {
+std::vector<double> constants_at(const KnownSet& set, const Site& site, std::span<const Literal> literals) {
   std::vector<double> values = published_values(set);
   const bool has_other_units = is_in_other_units(site);
   for (const SiteNumber& number : site.numbers) {
@@ -83,8 +69,9 @@ GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch
                             grade_of_other(set.constants[*found.replaced], found.constants[*found.replaced]));
   if (!found.slip.empty()) graded.grade = Grade::typo;
   if (graded.grade == Grade::right) return graded;
-  graded.is_shown = effects.are_shown(set);
-  graded.effect = effects.of(set, found.form, found.constants);
+  graded.is_shown = effects.shown.get(&set, [&] { return is_shown(set); });
+  graded.effect = effects.effects.get({&set, to_text(found.form), found.constants},
+                                      [&] { return effect_of(set, found.form, found.constants); });
   if (is_visible(graded, limits)) graded.grade = Grade::wrong;
   return graded;
 }

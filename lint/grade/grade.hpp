@@ -1,12 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "fit/errors/effect.hpp"
 #include "lint/expression/compare.hpp"
-#include "lint/known/known_effect.hpp"
 #include "lint/known/known_set.hpp"
 #include "lint/scan/sites.hpp"
 
@@ -50,7 +50,7 @@ Grade grade_of_other(const KnownConstant& constant, double found);
 /// The constants of a set as found at a site, with the signs of the published ones: the expression has the
 /// sign. A number that only has more digits, or those of a float, counts as the published one. In other units
 /// the decimal point of a number says nothing.
-std::vector<double> constants_at(const KnownSet& set, const Site& site, const std::vector<Literal>& literals);
+std::vector<double> constants_at(const KnownSet& set, const Site& site, std::span<const Literal> literals);
 
 /// The grade of a form with the constants found at a site.
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,

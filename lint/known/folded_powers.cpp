@@ -67,11 +67,6 @@ class PowerFolder {
   bool is_uniform_ = true;
 };
 
-/// "5.4856e-13", for a number without an exponent of its own.
-void multiply_by_power(std::string& printed, int exponent) {
-  printed += "e" + std::to_string(exponent);
-}
-
 /// Makes one number of a constant and the power of ten that multiplies it. True if there is one.
 bool fold_power(KnownSet& set, std::size_t place) {
   KnownConstant& constant = set.constants[place];
@@ -80,10 +75,11 @@ bool fold_power(KnownSet& set, std::size_t place) {
   if (!formula || folder.exponent() == 0) return false;
   if (constant.printed.find_first_of("eE") != std::string::npos) return false;
   set.formula = *formula;
-  multiply_by_power(constant.printed, folder.exponent());
+  const std::string power = "e" + std::to_string(folder.exponent());  // 5.4856e-13
+  constant.printed += power;
   constant.value = *parse_number(constant.printed);
   for (KnownVariant& variant : set.variants)
-    if (variant.constant == place) multiply_by_power(variant.printed, folder.exponent());
+    if (variant.constant == place) variant.printed += power;
   return true;
 }
 

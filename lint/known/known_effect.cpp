@@ -106,9 +106,8 @@ bool is_shown(const KnownSet& set) {
   // A fit leaves the range of its target by a few percent at most.
   constexpr double slack = 0.05;
   const std::vector<double> values = values_on_grid(set, set.formula, published_values(set), even_grid(set));
-  return std::all_of(values.begin(), values.end(), [](double value) {
-    return !std::isfinite(value) || (-slack <= value && value <= 1 + slack);
-  });
+  return std::ranges::all_of(
+      values, [](double value) { return !std::isfinite(value) || (-slack <= value && value <= 1 + slack); });
 }
 
 }  // namespace shadefit::lint

@@ -8,36 +8,75 @@
 #include "approx/ledger/catalogue.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
-#include "lint/known/closed_form.hpp"
-#include "lint/known/form_numbers.hpp"
 
 namespace shadefit::lint {
 namespace {
-
-std::vector<KnownAxis> axes_of(const ReadStudy& study) {
-  std::vector<KnownAxis> axes;
-  for (const StudyAxis& axis : study.axes) axes.push_back({axis.variable, axis.lower, axis.upper});
-  return axes;
-}
-
-std::size_t place_of(const std::vector<KnownConstant>& constants, const std::string& name) {
-  const auto found = std::find_if(constants.begin(), constants.end(),
-                                  [&](const KnownConstant& constant) { return constant.name == name; });
-  return static_cast<std::size_t>(found - constants.begin());
-}
 
 KnownConstant constant_of(std::string_view name, std::string_view printed) {
   const double value = *parse_number(printed);
   return {std::string(name), std::string(printed), value, is_common_number(value)};
 }
 
+/// Where the parts begin that are searched. The condition of a choice is left out: a program that has its
+/// variable in other units, such as kelvin, has other numbers there and the same constants.
+std::size_t first_searched(const Symbolic& formula) {
+  return formula.kind() == Symbolic::Kind::choice ? 2 : 0;
+}
+
+/// The names and numbers of a formula, in the order of its text.
+void append_leaves(const Symbolic& formula, std::vector<Symbolic>& leaves) {
+  if (formula.parts().empty()) leaves.push_back(formula);
+  for (std::size_t i = first_searched(formula); i < formula.parts().size(); ++i)
+    append_leaves(formula.part(i), leaves);
+}
+
+/// Whether a number has at least three digits and is no simple fraction.
+bool is_telling(const Symbolic& leaf) {
+  constexpr int few_digits = 2;
+  if (leaf.kind() != Symbolic::Kind::number) return false;
+  const double value = constant<double>(leaf.name());
+  return parse_number(decimal(value, few_digits)) != value && !is_common_number(value);
+}
+
+/// The formula with a variable in place of each telling number; its name is the number.
+Symbolic with_names(const Symbolic& formula) {
+  if (is_telling(formula)) return Symbolic::variable(formula.name());
+  if (formula.parts().empty()) return formula;
+  std::vector<Symbolic> parts = formula.parts();
+  for (std::size_t i = first_searched(formula); i < parts.size(); ++i) parts[i] = with_names(parts[i]);
+  return formula.with_parts(std::move(parts));
+}
+
+/// Makes constants of the numbers that stand in the text of a form: 0.1003 in (0.1003 + b x)/(1 + m x). Each
+/// comes before the constant that follows it in the form. Numbers of one or two digits and simple fractions
+/// stay in the form: a program may write them in another way. So do those of a condition.
+void name_form_numbers(KnownSet& set) {
+  std::vector<Symbolic> leaves;
+  append_leaves(set.formula, leaves);
+  auto next = set.constants.end();
+  for (auto leaf = leaves.rbegin(); leaf != leaves.rend(); ++leaf) {
+    const auto known = std::ranges::find(set.constants, leaf->name(), &KnownConstant::name);
+    if (known != set.constants.end()) {
+      next = known;
+    } else if (is_telling(*leaf)) {
+      next = set.constants.insert(next,
+                                  {leaf->name(), leaf->name(), constant<double>(leaf->name()), false, true});
+    }
+  }
+  set.formula = with_names(set.formula);
+}
+
 KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet& published) {
-  KnownSet set{file.id, published.form, published.source, axes_of(read), read.form, {}};
+  KnownSet set{file.id, published.form, published.source, {}, read.form, {}};
+  for (const StudyAxis& axis : read.axes) set.axes.push_back({axis.variable, axis.lower, axis.upper});
   for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
   name_form_numbers(set);
   for (const MistypedCopy& copy : published.variants)
-    for (const auto& [name, printed] : copy.values)
-      set.variants.push_back({place_of(set.constants, name), printed, copy.replaced, false});
+    for (const auto& [name, printed] : copy.values) {
+      const auto constant = std::ranges::find(set.constants, name, &KnownConstant::name);
+      const auto place = static_cast<std::size_t>(constant - set.constants.begin());
+      set.variants.push_back({place, printed, copy.replaced, false});
+    }
   return set;
 }
 
@@ -45,21 +84,13 @@ void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
   const std::vector<Study> studies = combinations(file.study, file.given);
   for (const PublishedSet& published : file.published) {
     // Without the given constants of a set, the study does not have its form.
-    const auto given = std::find_if(studies.begin(), studies.end(),
-                                    [&](const Study& one) { return is_for(published, one); });
+    const auto given =
+        std::ranges::find_if(studies, [&](const Study& one) { return is_for(published, one); });
     if (given == studies.end()) continue;
     Study study = *given;
-    const auto form = std::find_if(file.forms.begin(), file.forms.end(),
-                                   [&](const StudyForm& one) { return one.id == published.form; });
-    study.form = form->formula;
+    study.form = std::ranges::find(file.forms, published.form, &StudyForm::id)->formula;
     sets.push_back(set_of(file, read_formulas(study), published));
   }
-}
-
-/// The exponents for which the effect of a family's constants is computed. A lobe of a smaller exponent is
-/// not Gaussian; one of a far larger exponent is a point.
-KnownAxis family_exponents() {
-  return {"k", 3, 30};
 }
 
 /// The published constants of the built-in families, one set for each family and source.
@@ -72,13 +103,10 @@ void append_families(std::vector<KnownSet>& sets) {
                                  family.parameters.size() == 1 ? record.id : "");
     const auto [place, is_new] = places.emplace(same, sets.size());
     if (is_new) {
-      KnownSet set{std::string(record.family),
-                   "",
-                   std::string(record.source.author),
-                   {{"c", 0, 1}},
-                   family.form(),
-                   {}};
-      if (family.has_exponent()) set.axes.push_back(family_exponents());
+      KnownSet set{std::string(record.family), "", std::string(record.source.author), {}, family.form(), {}};
+      set.axes = {{"c", 0, 1}};
+      // A lobe of a smaller exponent is not Gaussian; one of a far larger exponent is a point.
+      if (family.has_exponent()) set.axes.push_back({"k", 3, 30});
       sets.push_back(std::move(set));
     }
     KnownSet& set = sets[place->second];
@@ -94,18 +122,17 @@ std::size_t count_places(const Symbolic& formula, const std::string& name) {
   return count;
 }
 
-void mark_repeated(std::vector<KnownSet>& sets) {
-  for (KnownSet& set : sets)
-    for (KnownConstant& constant : set.constants)
-      constant.is_repeated = count_places(set.formula, constant.name) > 1;
-}
-
-void mark_borrowed(std::vector<KnownSet>& sets) {
+/// Marks what depends on all sets, and the constants that a form has at several places.
+void mark_known(std::vector<KnownSet>& sets) {
   std::set<std::string> published;
-  for (const KnownSet& set : sets)
-    for (const KnownConstant& constant : set.constants) published.insert(constant.printed);
+  for (KnownSet& set : sets) {
+    for (KnownConstant& constant : set.constants) {
+      published.insert(constant.printed);
+      constant.is_repeated = count_places(set.formula, constant.name) > 1;
+    }
+  }
   for (KnownSet& set : sets)
-    for (KnownVariant& variant : set.variants) variant.is_borrowed = published.count(variant.printed) > 0;
+    for (KnownVariant& variant : set.variants) variant.is_borrowed = published.contains(variant.printed);
 }
 
 }  // namespace
@@ -115,8 +142,7 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
   append_families(sets);
   for (const StudyFile& study : studies) append_sets(study, sets);
   for (KnownSet& folded : folded_powers_of(sets)) sets.push_back(std::move(folded));
-  mark_borrowed(sets);
-  mark_repeated(sets);
+  mark_known(sets);
   return sets;
 }
 

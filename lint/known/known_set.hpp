@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fit/errors/effect.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/study/study_file.hpp"
+#include "fit/support/memory.hpp"
 
 /// Published constants that a source tree may contain.
 namespace shadefit::lint {
@@ -15,7 +17,7 @@ struct KnownConstant {
   std::string name;     ///< of a parameter of the form
   std::string printed;  ///< the digits as published
   double value = 0;
-  bool is_common = false;         ///< pi/2, 5/12: see lint/known/closed_form.hpp
+  bool is_common = false;         ///< pi/2, 5/12: see is_common_number()
   bool is_of_form = false;        ///< a number in the text of the form: its name is its digits
   bool is_repeated = false;       ///< whether the form has it at several places
   std::size_t enough_digits = 0;  ///< of a multiple: as many as the published number has
@@ -34,6 +36,10 @@ struct KnownVariant {
   std::string replaced;      ///< why it was replaced; empty: it is a mistyped copy
   bool is_borrowed = false;  ///< whether another set publishes these digits: then they tell nothing
 };
+
+/// Whether a number is, to seven digits, a simple fraction, perhaps times pi, 1/pi, sqrt(2), ln 2 or 1/ln 2.
+/// Such numbers occur in all kinds of code, so their digits tell little.
+bool is_common_number(double value);
 
 /// Constants that belong together: those of one published form.
 struct KnownSet {
@@ -75,5 +81,12 @@ Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<do
 
 /// Whether the values of a set's form lie in [0, 1], as those of a colour do.
 bool is_shown(const KnownSet& set);
+
+/// What is computed once of sets that outlive this object: effect_of(), by the set, the text of the form and
+/// the constants, and is_shown().
+struct KnownEffects {
+  Memory<std::tuple<const KnownSet*, std::string, std::vector<double>>, Effect> effects;
+  Memory<const KnownSet*, bool> shown;
+};
 
 }  // namespace shadefit::lint

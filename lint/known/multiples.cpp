@@ -1,25 +1,30 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "fit/support/decimal.hpp"
-#include "lint/known/closed_form.hpp"
 #include "lint/known/known_set.hpp"
 
 namespace shadefit::lint {
 namespace {
 
-struct Factor {
-  std::string_view words;
-  double value;
-};
+bool is_simple_fraction(double value, double slack) {
+  constexpr int largest_denominator = 16, largest_numerator = 64;
+  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
+    const double numerator = value * denominator, whole = std::round(numerator);
+    if (whole > largest_numerator) return false;
+    if (whole >= 1 && std::abs(numerator - whole) <= slack * whole) return true;
+  }
+  return false;
+}
 
 /// Of exponentials and logarithms of base 2 and e, of angles, of integrals over the sphere, and of 8-bit
 /// values.
-constexpr std::array<Factor, 10> factors{{
+constexpr std::array<std::pair<std::string_view, double>, 10> factors{{
     {"ln 2", std::numbers::ln2},
     {"1/ln 2", 1 / std::numbers::ln2},
     {"2", 2},
@@ -56,16 +61,28 @@ KnownConstant multiple_of(const KnownConstant& constant, double factor) {
 
 }  // namespace
 
+bool is_common_number(double value) {
+  namespace numbers = std::numbers;
+  if (value == 0) return true;
+  // Half a unit of the seventh digit, relative to the number.
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 6);
+  const double slack = 0.5 * unit / std::abs(value);
+  for (const double factor :
+       {1.0, numbers::pi, numbers::inv_pi, numbers::sqrt2, numbers::ln2, 1 / numbers::ln2})
+    if (is_simple_fraction(std::abs(value) / factor, slack)) return true;
+  return false;
+}
+
 std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets) {
   std::vector<KnownSet> multiples;
   for (const KnownSet& set : sets) {
     if (set.constants.size() < 2) continue;
-    for (const Factor& factor : factors) {
+    for (const auto& [words, factor] : factors) {
       KnownSet multiple = set;
       multiple.variants.clear();
-      multiple.times = factor.words;
-      multiple.factor = factor.value;
-      for (KnownConstant& constant : multiple.constants) constant = multiple_of(constant, factor.value);
+      multiple.times = words;
+      multiple.factor = factor;
+      for (KnownConstant& constant : multiple.constants) constant = multiple_of(constant, factor);
       multiples.push_back(std::move(multiple));
     }
   }

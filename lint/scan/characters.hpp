@@ -1,20 +1,62 @@
 #pragma once
 
-/// The characters of programs: ASCII alone, whatever the locale.
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// The characters of programs: ASCII alone, whatever the locale. The kinds are objects, so that their calls
+/// are inlined where a run of one kind is looked for.
 namespace shadefit::lint {
 
-constexpr bool is_digit(char c) {
-  return '0' <= c && c <= '9';
-}
-constexpr bool is_letter(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-}
+inline constexpr auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+inline constexpr auto is_letter = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); };
+
 /// Whether a name may have this character.
-constexpr bool is_of_name(char c) {
-  return is_letter(c) || is_digit(c) || c == '_';
+inline constexpr auto is_of_name = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+
+inline constexpr auto is_blank_in_line = [](char c) { return c == ' ' || c == '\t'; };
+inline constexpr auto is_blank = [](char c) { return is_blank_in_line(c) || c == '\r' || c == '\n'; };
+
+constexpr bool is_one_of(char c, std::string_view these) {
+  return these.find(c) != std::string_view::npos;
 }
-constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+
+/// Where a run of such characters ends that begins there.
+template <class Is>
+constexpr std::size_t end_of_run(std::string_view text, std::size_t begin, const Is& is) {
+  while (begin < text.size() && is(text[begin])) ++begin;
+  return begin;
+}
+
+/// Where a run of such characters begins that ends there.
+template <class Is>
+constexpr std::size_t begin_of_run(std::string_view text, std::size_t end, const Is& is) {
+  while (end > 0 && is(text[end - 1])) --end;
+  return end;
+}
+
+/// Where the line with this place begins.
+constexpr std::size_t line_begin(std::string_view text, std::size_t at) {
+  return text.substr(0, at).rfind('\n') + 1;  // npos + 1 is 0
+}
+
+/// The line that begins there, without its end.
+constexpr std::string_view line_at(std::string_view text, std::size_t begin) {
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// The text without blanks around.
+constexpr std::string_view trimmed(std::string_view text) {
+  text = text.substr(0, begin_of_run(text, text.size(), is_blank));
+  return text.substr(end_of_run(text, 0, is_blank));
+}
+
+/// The text in lower case.
+inline std::string in_small_letters(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
 }
 
 }  // namespace shadefit::lint

@@ -1,6 +1,7 @@
 #include "lint/scan/digit_index.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -35,10 +36,14 @@ constexpr std::size_t digits_of_multiple = 6;
 
 /// The first six digits, as a number.
 std::size_t first_digits(const std::string& text) {
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < digits_of_multiple; ++i)
-    first = 10 * first + static_cast<std::size_t>(text[i] - '0');
-  return first;
+  return std::stoul(text.substr(0, digits_of_multiple));
+}
+
+/// The elements whose keys are in [low, high], of those that are sorted by the key.
+template <class T, class Value, class KeyOf>
+std::span<const T> between(const std::vector<T>& sorted, Value low, Value high, KeyOf key_of) {
+  const auto first = std::ranges::lower_bound(sorted, low, {}, key_of);
+  return {first, std::ranges::upper_bound(first, sorted.end(), high, {}, key_of)};
 }
 
 /// Adds a match, unless a closer one is there.
@@ -55,25 +60,23 @@ void append(const NumberMatch& match, std::vector<NumberMatch>& matches) {
 
 DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
+    const bool is_multiple = !sets[s].times.empty();
     for (std::size_t c = 0; c < sets[s].constants.size(); ++c) {
-      if (!sets[s].times.empty()) {
-        add_multiple(sets[s].constants[c], {s, c});
+      const KnownConstant& constant = sets[s].constants[c];
+      const Digits digits = digits_of(constant.printed);
+      if (digits.text.size() < (is_multiple ? digits_of_multiple : least_digits) ||
+          (is_multiple && constant.is_common))
         continue;
-      }
-      const Digits digits = digits_of(sets[s].constants[c].printed);
-      if (digits.text.size() >= least_digits) {
-        entries_.push_back({digits, mantissa_of(digits), {s, c}, sets[s].constants[c].is_common});
-      }
+      (is_multiple ? multiples_ : entries_)
+          .push_back({digits, mantissa_of(digits), {s, c}, constant.is_common, {}, constant.enough_digits});
     }
     for (std::size_t v = 0; v < sets[s].variants.size(); ++v) {
       const Digits digits = digits_of(sets[s].variants[v].printed);
       entries_.push_back({digits, mantissa_of(digits), {s, sets[s].variants[v].constant}, false, v});
     }
   }
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.mantissa, a.place.set, a.place.constant, a.variant) <
-           std::tie(b.mantissa, b.place.set, b.place.constant, b.variant);
-  });
+  sort(entries_);
+  sort(multiples_);
   for (std::uint32_t e = 0; e < entries_.size(); ++e) {
     const std::string& text = entries_[e].digits.text;
     if (entries_[e].variant || entries_[e].is_common || text.size() < least_digits_to_vary) continue;
@@ -83,20 +86,18 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
       has_key_.set(key % has_key_.size());
     }
   }
-  std::sort(keys_.begin(), keys_.end());
-  std::sort(multiples_.begin(), multiples_.end(), [](const Multiple& a, const Multiple& b) {
-    return std::tie(a.mantissa, a.place.set, a.place.constant) <
-           std::tie(b.mantissa, b.place.set, b.place.constant);
-  });
+  std::ranges::sort(keys_);
+  for (const Entry& multiple : multiples_) {
+    // Rounding and floats change the sixth digit by one.
+    const std::size_t first = first_digits(multiple.digits.text);
+    for (const std::size_t near : {first - 1, first, first + 1})
+      has_multiple_.set(near % has_multiple_.size());
+  }
 }
 
-void DigitIndex::add_multiple(const KnownConstant& constant, const ConstantPlace& place) {
-  const Digits digits = digits_of(constant.printed);
-  if (digits.text.size() < digits_of_multiple || constant.is_common) return;
-  multiples_.push_back({digits, mantissa_of(digits), place, constant.enough_digits});
-  // Rounding and floats change the sixth digit by one.
-  const std::size_t first = first_digits(digits.text);
-  for (const std::size_t near : {first - 1, first, first + 1}) has_multiple_.set(near % has_multiple_.size());
+void DigitIndex::sort(std::vector<Entry>& entries) {
+  std::ranges::sort(
+      entries, {}, [](const Entry& entry) { return std::tuple(entry.mantissa, entry.place, entry.variant); });
 }
 
 std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
@@ -115,25 +116,23 @@ void DigitIndex::look_multiple(const Digits& found, double mantissa,
   if (!has_multiple_[first_digits(found.text)]) return;
   // Numbers that agree in six digits are closer than this.
   constexpr double near = 1.1e-5;
-  auto entry = std::lower_bound(multiples_.begin(), multiples_.end(), mantissa * (1 - near),
-                                [](const Multiple& one, double value) { return one.mantissa < value; });
-  for (; entry != multiples_.end() && entry->mantissa <= mantissa * (1 + near); ++entry)
-    if (const auto match = match_multiple(found, entry->digits, entry->enough))
-      matches.push_back({entry->place, *match});
+  for (const Entry& entry :
+       between(multiples_, mantissa * (1 - near), mantissa * (1 + near), &Entry::mantissa))
+    if (const auto match = match_multiple(found, entry.digits, entry.enough))
+      matches.push_back({entry.place, *match});
 }
 
 void DigitIndex::look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const {
   // Numbers that agree in three digits are closer than this; those that agree in four, and a half with the
   // number that it rounds, are closer than a tenth of it.
   const double near = found.text.size() == least_digits ? 0.011 : 0.0011;
-  auto entry = std::lower_bound(entries_.begin(), entries_.end(), mantissa * (1 - near),
-                                [](const Entry& one, double value) { return one.mantissa < value; });
-  for (; entry != entries_.end() && entry->mantissa <= mantissa * (1 + near); ++entry) {
-    if (entry->variant) {
-      if (found == entry->digits) append({entry->place, DigitMatch::edited, entry->variant}, matches);
-    } else if (const auto match = match_digits(found, entry->digits);
-               match && !(entry->is_common && *match > DigitMatch::rounded)) {
-      append({entry->place, *match}, matches);
+  for (const Entry& entry :
+       between(entries_, mantissa * (1 - near), mantissa * (1 + near), &Entry::mantissa)) {
+    if (entry.variant) {
+      if (found == entry.digits) append({entry.place, DigitMatch::edited, entry.variant}, matches);
+    } else if (const auto match = match_digits(found, entry.digits);
+               match && !(entry.is_common && *match > DigitMatch::rounded)) {
+      append({entry.place, *match}, matches);
     }
   }
 }
@@ -142,11 +141,8 @@ void DigitIndex::look_edited(const Digits& found, std::vector<NumberMatch>& matc
   for (std::size_t skipped = 0; skipped <= found.text.size(); ++skipped) {
     const std::uint64_t key = key_of(found.text, skipped);
     if (!has_key_[key % has_key_.size()]) continue;
-    auto [first, last] =
-        std::equal_range(keys_.begin(), keys_.end(), std::pair<std::uint64_t, std::uint32_t>(key, 0),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (; first != last; ++first) {
-      const Entry& entry = entries_[first->second];
+    for (const auto& [same, place] : between(keys_, key, key, &Key::first)) {
+      const Entry& entry = entries_[place];
       if (const auto match = match_digits(found, entry.digits)) append({entry.place, *match}, matches);
     }
   }

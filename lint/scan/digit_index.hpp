@@ -17,7 +17,7 @@ namespace shadefit::lint {
 /// A constant of a set, or a variant of one.
 struct ConstantPlace {
   std::size_t set = 0, constant = 0;
-  bool operator==(const ConstantPlace&) const = default;
+  auto operator<=>(const ConstantPlace&) const = default;
 };
 
 struct NumberMatch {
@@ -43,25 +43,20 @@ class DigitIndex {
     ConstantPlace place;
     bool is_common = false;  ///< then a near number is a different one
     std::optional<std::size_t> variant = {};
+    std::size_t enough = 0;  ///< of a multiple: KnownConstant::enough_digits
   };
 
-  struct Multiple {
-    Digits digits;
-    double mantissa = 0;
-    ConstantPlace place;
-    std::size_t enough = 0;
-  };
+  using Key = std::pair<std::uint64_t, std::uint32_t>;
 
-  void add_multiple(const KnownConstant& constant, const ConstantPlace& place);
+  static void sort(std::vector<Entry>& entries);
   void look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
   void look_edited(const Digits& found, std::vector<NumberMatch>& matches) const;
   void look_multiple(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
 
-  std::vector<Entry> entries_;                                 ///< by rising mantissa
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;  ///< of shortened texts, sorted; the entry
-  std::bitset<1 << 20> has_key_;                               ///< by the last bits of a key
-  std::vector<Multiple> multiples_;                            ///< by rising mantissa
-  std::bitset<1'000'000> has_multiple_;                        ///< by the first six digits
+  std::vector<Entry> entries_, multiples_;  ///< by rising mantissa
+  std::vector<Key> keys_;                   ///< of shortened texts, sorted; the entry
+  std::bitset<1 << 20> has_key_;            ///< by the last bits of a key
+  std::bitset<1'000'000> has_multiple_;     ///< by the first six digits
 };
 
 }  // namespace shadefit::lint

@@ -1,7 +1,8 @@
 #include "lint/scan/digit_match.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -9,7 +10,13 @@
 namespace shadefit::lint {
 namespace {
 
-/// The text rounded half up to n digits, without trailing zeros; and whether rounding added a leading digit.
+/// The text cut to n digits, without trailing zeros.
+Digits cut_to(const Digits& digits, std::size_t n) {
+  const std::string_view text = std::string_view(digits.text).substr(0, n);
+  return {std::string(text.substr(0, text.find_last_not_of('0') + 1)), digits.exponent};
+}
+
+/// The text rounded half up to n digits, without trailing zeros; rounding may add a leading digit.
 Digits rounded_to(const Digits& digits, std::size_t n) {
   Digits result{digits.text.substr(0, n), digits.exponent};
   if (n < digits.text.size() && digits.text[n] >= '5') {
@@ -22,29 +29,12 @@ Digits rounded_to(const Digits& digits, std::size_t n) {
       ++result.exponent;
     }
   }
-  while (!result.text.empty() && result.text.back() == '0') result.text.pop_back();
-  return result;
-}
-
-/// The text cut to n digits, without trailing zeros.
-Digits cut_to(const Digits& digits, std::size_t n) {
-  Digits result{digits.text.substr(0, n), digits.exponent};
-  while (!result.text.empty() && result.text.back() == '0') result.text.pop_back();
-  return result;
-}
-
-bool is_same_float(const Digits& found, const Digits& published) {
-  constexpr std::size_t digits_of_a_float = 7;
-  return found.text.size() >= digits_of_a_float && have_near_exponents(found, published) &&
-         static_cast<float>(number_of(found)) == static_cast<float>(number_of(published));
+  return cut_to(result, n + 1);
 }
 
 /// All digits of a double that is a float or a half: 112 at most.
 Digits all_digits_of(double value) {
-  std::array<char, 128> exact{};
-  const auto end =
-      std::to_chars(exact.data(), exact.data() + exact.size(), value, std::chars_format::scientific, 112);
-  return digits_of({exact.data(), static_cast<std::size_t>(end.ptr - exact.data())});
+  return digits_of(fmt::format("{:.112e}", value));
 }
 
 /// The nearest number in half precision: 11 binary digits, the last one not below 2^-24 (IEEE 754). No digits
@@ -80,22 +70,36 @@ bool is_print_of_float(const Digits& found, const Digits& published) {
   return found == rounded_to(all, found.text.size()) || found == cut_to(all, found.text.size());
 }
 
+/// Where a text differs from one that is not shorter, or its end.
+std::size_t first_difference(std::string_view a, std::string_view b) {
+  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+}
+
+/// Whether the texts differ from this place on by two swapped neighbours alone.
+bool is_swapped(std::string_view a, std::string_view b, std::size_t at) {
+  return at + 1 < a.size() && a[at] == b[at + 1] && a[at + 1] == b[at] &&
+         a.substr(at + 2) == b.substr(at + 2);
+}
+
 /// Whether one edit makes `a` of `b`: a digit replaced, inserted or left out, or two neighbours swapped.
 bool is_one_edit(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
   if (b.size() - a.size() > 1) return false;
-  const auto [in_a, in_b] = std::mismatch(a.begin(), a.end(), b.begin());
-  const auto first = static_cast<std::size_t>(in_a - a.begin());
+  const std::size_t first = first_difference(a, b);
   if (b.size() > a.size()) return a.substr(first) == b.substr(first + 1);
-  if (a.substr(first + 1) == b.substr(first + 1)) return true;
-  return first + 1 < a.size() && a[first] == b[first + 1] && a[first + 1] == b[first] &&
-         a.substr(first + 2) == b.substr(first + 2);
+  return a.substr(first + 1) == b.substr(first + 1) || is_swapped(a, b, first);
 }
 
 }  // namespace
 
 bool have_near_exponents(const Digits& found, const Digits& published) {
   return std::abs(found.exponent - published.exponent) <= 1;
+}
+
+bool is_same_float(const Digits& found, const Digits& published) {
+  constexpr std::size_t digits_of_a_float = 7;
+  return found.text.size() >= digits_of_a_float && have_near_exponents(found, published) &&
+         static_cast<float>(number_of(found)) == static_cast<float>(number_of(published));
 }
 
 double number_of(const Digits& digits) {
@@ -124,11 +128,9 @@ bool is_shortened(const Digits& found, const Digits& published) {
 bool is_usual_slip(const Digits& found, const Digits& published) {
   const std::string &a = found.text, &b = published.text;
   if (a.size() != b.size() || found.exponent != published.exponent) return false;
-  const auto first = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
+  const std::size_t first = first_difference(a, b);
   if (first == a.size()) return false;
-  const bool is_swapped = first + 1 < a.size() && a[first] == b[first + 1] && a[first + 1] == b[first] &&
-                          a.substr(first + 2) == b.substr(first + 2);
-  if (is_swapped) return true;
+  if (is_swapped(a, b, first)) return true;
   if (a.substr(first + 1) != b.substr(first + 1)) return false;
   // The digit that differs is one of a double in the published number, and makes another double in the found
   // one.

@@ -47,6 +47,9 @@ bool is_rounded_and_edited(const Digits& found, const Digits& published);
 /// compared differ in this, and the other comparisons are slow.
 bool have_near_exponents(const Digits& found, const Digits& published);
 
+/// Whether a number of at least seven digits has the float nearest to the published one.
+bool is_same_float(const Digits& found, const Digits& published);
+
 /// The number with these digits.
 double number_of(const Digits& digits);
 

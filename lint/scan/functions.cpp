@@ -12,26 +12,10 @@ namespace {
 /// SV_Target".
 constexpr std::size_t most_bytes_of_parameters = 1000, most_bytes_of_result = 40;
 
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 bool is_control(std::string_view word) {
   constexpr std::array<std::string_view, 10> words{"if",      "for",  "while", "switch", "catch",
                                                    "foreach", "elif", "match", "with",   "constexpr"};
-  return is_one_of(word, words);
-}
-
-bool is_keyword(std::string_view word) {
-  constexpr std::array<std::string_view, 4> words{"def", "fn", "func", "function"};
-  return is_one_of(word, words);
-}
-
-/// Where the name that ends there begins.
-std::size_t name_begin(std::string_view text, std::size_t end) {
-  while (end > 0 && is_of_name(text[end - 1])) --end;
-  return end;
+  return std::ranges::find(words, word) != words.end();
 }
 
 /// The parenthesis that closes the parameters before a brace, or the end of the text.
@@ -40,7 +24,7 @@ std::size_t closing_before(std::string_view text, std::size_t brace) {
   for (std::size_t i = brace; i > least; --i) {
     const char c = text[i - 1];
     if (c == ')') return i - 1;
-    if (!is_blank(c) && !is_of_name(c) && std::string_view(":<>-").find(c) == std::string_view::npos) break;
+    if (!is_blank(c) && !is_of_name(c) && !is_one_of(c, ":<>-")) break;
   }
   return text.size();
 }
@@ -52,7 +36,7 @@ std::size_t opening_before(std::string_view text, std::size_t closing) {
   for (std::size_t i = closing + 1; i > least; --i) {
     if (text[i - 1] == ')') ++depth;
     if (text[i - 1] == '(' && --depth == 0) return i - 1;
-    if (text[i - 1] == ';' || text[i - 1] == '{' || text[i - 1] == '}') break;
+    if (is_one_of(text[i - 1], ";{}")) break;
   }
   return text.size();
 }
@@ -61,10 +45,9 @@ std::size_t opening_before(std::string_view text, std::size_t closing) {
 std::size_t name_before(std::string_view text, std::size_t brace) {
   const std::size_t closing = closing_before(text, brace);
   if (closing == text.size()) return closing;
-  std::size_t end = opening_before(text, closing);
-  if (end == text.size()) return end;
-  while (end > 0 && is_blank(text[end - 1])) --end;
-  const std::size_t begin = name_begin(text, end);
+  const std::size_t opening = opening_before(text, closing);
+  if (opening == text.size()) return opening;
+  const std::size_t end = begin_of_run(text, opening, is_blank), begin = begin_of_run(text, end, is_of_name);
   return begin == end || is_control(text.substr(begin, end - begin)) ? text.size() : begin;
 }
 
@@ -77,13 +60,14 @@ std::vector<std::size_t> function_begins(std::string_view text) {
       const std::size_t name = name_before(text, i);
       if (name < text.size()) begins.push_back(name);
     } else if (text[i] == 'd' || text[i] == 'f') {
-      const std::size_t first = i;
       if (i > 0 && is_of_name(text[i - 1])) continue;
-      while (i + 1 < text.size() && is_of_name(text[i + 1])) ++i;
-      if (is_keyword(text.substr(first, i + 1 - first))) begins.push_back(i + 1);
+      const std::size_t end = end_of_run(text, i, is_of_name);
+      const std::string_view word = text.substr(i, end - i);
+      if (word == "def" || word == "fn" || word == "func" || word == "function") begins.push_back(end);
+      i = end - 1;
     }
   }
-  std::sort(begins.begin(), begins.end());
+  std::ranges::sort(begins);
   return begins;
 }
 

@@ -1,7 +1,7 @@
 #include "lint/scan/lists.hpp"
 
 #include <algorithm>
-#include <array>
+#include <set>
 #include <string>
 
 #include "lint/scan/characters.hpp"
@@ -14,34 +14,23 @@ namespace {
 bool is_next_to(std::string_view text, const Literal& number, bool before, std::string_view brackets) {
   const std::string_view rest =
       before ? text.substr(0, number.offset) : text.substr(number.offset + number.length);
-  const std::string_view blanks = before ? " \t\r\n+-" : " \t\r\n";
-  const std::size_t at = before ? rest.find_last_not_of(blanks) : rest.find_first_not_of(blanks);
-  return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
-}
-
-std::string_view between(std::string_view text, const Literal& a, const Literal& b) {
-  const std::size_t end = a.offset + a.length;
-  return text.substr(end, b.offset - end);
+  const std::size_t at = before ? rest.find_last_not_of(" \t\r\n+-") : rest.find_first_not_of(" \t\r\n");
+  return at != std::string_view::npos && is_one_of(rest[at], brackets);
 }
 
 /// The text from the start of the assignment to its number, without blanks and in lower case.
 std::string left_side(std::string_view text, const Literal& number) {
   const std::string_view before = text.substr(0, number.offset);
-  const std::size_t end = before.find_last_of(";,{}()\n");
-  std::string left;
-  for (const char c : before.substr(end == std::string_view::npos ? 0 : end + 1))
-    if (!is_blank(c)) left += 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  std::string left = in_small_letters(before.substr(before.find_last_of(";,{}()\n") + 1));  // npos + 1 is 0
+  std::erase_if(left, is_blank);
   return left;
 }
 
 std::size_t common_begin(const std::vector<std::string>& texts) {
-  std::size_t count = texts.front().size();
-  for (const std::string& text : texts) {
-    const auto [mine, other] =
-        std::mismatch(texts.front().begin(), texts.front().end(), text.begin(), text.end());
-    count = std::min(count, static_cast<std::size_t>(mine - texts.front().begin()));
-  }
-  return count;
+  const std::string& first = texts.front();
+  auto end = first.end();
+  for (const std::string& text : texts) end = std::min(end, std::ranges::mismatch(first, text).in1);
+  return static_cast<std::size_t>(end - first.begin());
 }
 
 /// What is left of the texts without their common begin and end.
@@ -50,7 +39,7 @@ std::vector<std::string> differences_of(std::vector<std::string> texts) {
     const std::size_t common = common_begin(texts);
     for (std::string& text : texts) {
       text.erase(0, common);
-      std::reverse(text.begin(), text.end());
+      std::ranges::reverse(text);
     }
   }
   return texts;
@@ -58,12 +47,8 @@ std::vector<std::string> differences_of(std::vector<std::string> texts) {
 
 /// r, g, b; red, green, blue; or a, b, c and x, y, z and 0, 1, 2.
 bool follow_each_other(const std::vector<std::string>& names) {
-  constexpr std::array<std::string_view, 3> letters{"r", "g", "b"};
-  constexpr std::array<std::string_view, 3> colours{"red", "green", "blue"};
-  const auto are = [&](const std::array<std::string_view, 3>& words) {
-    return std::equal(names.begin(), names.end(), words.begin(), words.end());
-  };
-  if (are(letters) || are(colours)) return true;
+  if (names == std::vector<std::string>{"r", "g", "b"}) return true;
+  if (names == std::vector<std::string>{"red", "green", "blue"}) return true;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i].size() != 1 || !is_of_name(names[i].front()) ||
         names[i].front() != names.front().front() + static_cast<char>(i))
@@ -72,18 +57,15 @@ bool follow_each_other(const std::vector<std::string>& names) {
 }
 
 /// Whether the numbers are assigned, one after the other, to such names.
-bool are_assigned_in_turn(std::string_view text, const std::vector<Literal>& literals, std::size_t first,
-                          std::size_t last) {
+bool are_assigned_in_turn(const ScannedText& text, std::size_t first, std::size_t last) {
   std::vector<std::string> lefts;
   for (std::size_t i = first; i <= last; ++i) {
-    lefts.push_back(left_side(text, literals[i]));
+    lefts.push_back(left_side(text.text, text.literals[i]));
     if (i == first) continue;
     // Only the end of the statement and the next left side.
-    std::string_view rest = between(text, literals[i - 1], literals[i]);
+    std::string_view rest = text_between(text, i - 1, i);
     rest = rest.substr(0, rest.find_last_of(";,{}()\n") + 1);
-    if (rest.empty() ||
-        !std::all_of(rest.begin(), rest.end(), [](char c) { return is_blank(c) || c == ';' || c == ','; }))
-      return false;
+    if (rest.empty() || rest.find_first_not_of(" \t\r\n;,") != std::string_view::npos) return false;
   }
   return lefts.size() > 1 && follow_each_other(differences_of(std::move(lefts)));
 }
@@ -101,7 +83,7 @@ bool ends_list(std::string_view text, const Literal& number) {
     skip("0.fFhH");
     skip(blanks);
   }
-  return !rest.empty() && std::string_view(")]}").find(rest.front()) != std::string_view::npos;
+  return !rest.empty() && is_one_of(rest.front(), ")]}");
 }
 
 /// Whether this text between two numbers is that of a list of lists: a comma, signs and brackets, or the
@@ -110,18 +92,17 @@ bool are_next_in_list(std::string_view rest) {
   const std::size_t end = rest.find_last_not_of(" \t\r\n+-");
   const bool has_constructor = end != std::string_view::npos && rest[end] == '(';
   const auto is_of_list = [&](char c) {
-    return is_blank(c) || std::string_view(",+-()[]{}").find(c) != std::string_view::npos ||
+    return is_blank(c) || is_one_of(c, ",+-()[]{}") ||
            (has_constructor && (is_of_name(c) || c == '<' || c == '>'));
   };
-  return std::count(rest.begin(), rest.end(), ',') == 1 && std::all_of(rest.begin(), rest.end(), is_of_list);
+  return std::ranges::count(rest, ',') == 1 && std::ranges::all_of(rest, is_of_list);
 }
 
 }  // namespace
 
-bool is_whole_list(std::string_view text, const std::vector<Literal>& literals, std::size_t first,
-                   std::size_t last) {
-  const bool is_in_brackets = begins_list(text, literals[first]) && ends_list(text, literals[last]);
-  return is_in_brackets || are_assigned_in_turn(text, literals, first, last);
+bool is_whole_list(const ScannedText& text, std::size_t first, std::size_t last) {
+  return (begins_list(text.text, text.literals[first]) && ends_list(text.text, text.literals[last])) ||
+         are_assigned_in_turn(text, first, last);
 }
 
 bool begins_list(std::string_view text, const Literal& literal) {
@@ -132,26 +113,22 @@ bool stands_alone(std::string_view text, const Literal& literal) {
   return is_next_to(text, literal, true, "(,{[=") && is_next_to(text, literal, false, ",)}];");
 }
 
-bool have_same_decimals(std::string_view text, const std::vector<Literal>& literals, std::size_t first,
-                        std::size_t last) {
-  const auto decimals = [&](const Literal& literal) {
-    const auto number = notation_at(text.substr(literal.offset, literal.length));
-    return number && number->exponent.empty() ? number->fraction.size() : 0;
-  };
-  const std::size_t count = decimals(literals[first]);
-  for (std::size_t i = first; i <= last; ++i)
-    if (decimals(literals[i]) != count) return false;
-  return count > 0;
+bool have_same_decimals(const ScannedText& text, std::size_t first, std::size_t last) {
+  std::set<std::size_t> counts;
+  for (std::size_t i = first; i <= last; ++i) {
+    const auto number = notation_at(text.text.substr(text.literals[i].offset, text.literals[i].length));
+    counts.insert(number && number->exponent.empty() ? number->fraction.size() : 0);
+  }
+  return counts.size() == 1 && *counts.begin() > 0;
 }
 
-bool is_column(std::string_view text, const std::vector<Literal>& literals,
-               const std::vector<std::size_t>& places) {
+bool is_column(const ScannedText& text, const std::vector<std::size_t>& places) {
   constexpr std::size_t least_numbers = 3;
   if (places.size() < least_numbers || places[1] < places[0] + 2) return false;
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] != places[i - 1] + places[1] - places[0]) return false;
   for (std::size_t i = places.front(); i < places.back(); ++i)
-    if (!are_next_in_list(between(text, literals[i], literals[i + 1]))) return false;
+    if (!are_next_in_list(text_between(text, i, i + 1))) return false;
   return true;
 }
 

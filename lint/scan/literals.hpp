@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,5 +50,18 @@ struct Literal {
 std::vector<Literal> literals_of(std::string_view text, CommentStyle style);
 
 inline constexpr std::size_t most_digits = 40;
+
+/// A text with its numbers.
+struct ScannedText {
+  std::string_view text;
+  CommentStyle style;
+  std::span<const Literal> literals;
+};
+
+/// The text between two literals.
+inline std::string_view text_between(const ScannedText& text, std::size_t a, std::size_t b) {
+  const std::size_t end = text.literals[a].offset + text.literals[a].length;
+  return text.text.substr(end, text.literals[b].offset - end);
+}
 
 }  // namespace shadefit::lint

@@ -9,15 +9,6 @@
 namespace shadefit::lint {
 namespace {
 
-bool is_blank_in_line(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::size_t start_of_line(std::string_view text, std::size_t at) {
-  while (at > 0 && text[at - 1] != '\n') --at;
-  return at;
-}
-
 /// Whether a text has this word, and not only as a part of another one.
 bool has_whole_word(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
@@ -28,8 +19,7 @@ bool has_whole_word(std::string_view text, std::string_view word) {
 }
 
 bool begins_with_hash(std::string_view line) {
-  while (!line.empty() && is_blank_in_line(line.front())) line.remove_prefix(1);
-  return line.starts_with('#');
+  return line.substr(end_of_run(line, 0, is_blank_in_line)).starts_with('#');
 }
 
 /// A declaration up to its name: "let k" of "let k: f32", all of "const std::size_t k".
@@ -45,59 +35,50 @@ std::string_view without_type(std::string_view declaration) {
 struct NamedNumber {
   std::string_view name;
   std::size_t begin, end;  ///< of the number with its sign and its parentheses
-  std::size_t literal;     ///< its offset
-  std::size_t length;
+  Literal literal;
   bool is_negative;
 };
 
 /// Reads the definition whose number is this literal.
 std::optional<NamedNumber> definition_of(std::string_view text, CommentStyle style, const Literal& literal) {
   std::size_t begin = literal.offset, end = literal.offset + literal.length;
-  const auto skip_before = [&] {
-    while (begin > 0 && is_blank_in_line(text[begin - 1])) --begin;
-  };
-  const auto skip_behind = [&] {
-    while (end < text.size() && (is_blank_in_line(text[end]) || text[end] == '\r')) ++end;
+  const auto skip_blanks = [&] {
+    begin = begin_of_run(text, begin, is_blank_in_line);
+    end = end_of_run(text, end, [](char c) { return is_blank_in_line(c) || c == '\r'; });
   };
   const bool is_negative = begin > 0 && text[begin - 1] == '-';
   if (is_negative) --begin;
-  skip_before();
-  skip_behind();
+  skip_blanks();
   if (begin > 0 && end < text.size() && text[begin - 1] == '(' && text[end] == ')') {
     --begin;
     ++end;
-    skip_before();
-    skip_behind();
+    skip_blanks();
   }
   const std::size_t number_begin = begin, number_end = end;
   const bool is_assigned = begin > 0 && text[begin - 1] == '=';
   if (is_assigned) --begin;
-  skip_before();
-  const std::size_t line = start_of_line(text, begin);
-  std::size_t name_end = is_assigned ? line + without_type(text.substr(line, begin - line)).size() : begin;
-  while (name_end > line && is_blank_in_line(text[name_end - 1])) --name_end;
-  std::size_t name_begin = name_end;
-  while (name_begin > line && is_of_name(text[name_begin - 1])) --name_begin;
-  if (name_begin == name_end || is_digit(text[name_begin])) return std::nullopt;
-  const std::string_view before = text.substr(line, name_begin - line);
+  begin = begin_of_run(text, begin, is_blank_in_line);
+  const std::size_t line = line_begin(text, begin);
+  const std::string_view left = text.substr(line, begin - line),
+                         named = is_assigned ? without_type(left) : left;
+  const std::size_t name_end = begin_of_run(named, named.size(), is_blank_in_line);
+  const std::size_t name_begin = begin_of_run(named, name_end, is_of_name);
+  if (name_begin == name_end || is_digit(named[name_begin])) return std::nullopt;
+  const std::string_view before = named.substr(0, name_begin);
   const bool ends_line = end == text.size() || text[end] == '\n' || text.substr(end).starts_with("//") ||
                          text.substr(end).starts_with("/*");
-  const NamedNumber found{text.substr(name_begin, name_end - name_begin),
-                          number_begin,
-                          number_end,
-                          literal.offset,
-                          literal.length,
-                          is_negative};
-  if (!is_assigned)
-    return begins_with_hash(before) && has_whole_word(before, "define") && ends_line ? std::optional(found)
-                                                                                     : std::nullopt;
-  constexpr std::array<std::string_view, 4> words{"const", "constexpr", "final", "readonly"};
-  const bool is_constant = std::any_of(words.begin(), words.end(),
-                                       [&](std::string_view word) { return has_whole_word(before, word); });
-  const bool is_of_module =
-      style == CommentStyle::hash && before.empty() && (ends_line || (end < text.size() && text[end] == '#'));
-  return is_of_module || (is_constant && end < text.size() && text[end] == ';') ? std::optional(found)
-                                                                                : std::nullopt;
+  const char next = end < text.size() ? text[end] : '\0';
+  const auto is_definition = [&] {
+    if (!is_assigned) return begins_with_hash(before) && has_whole_word(before, "define") && ends_line;
+    constexpr std::array<std::string_view, 4> words{"const", "constexpr", "final", "readonly"};
+    const bool is_constant =
+        std::ranges::any_of(words, [&](std::string_view word) { return has_whole_word(before, word); });
+    const bool is_of_module = style == CommentStyle::hash && before.empty() && (ends_line || next == '#');
+    return is_of_module || (is_constant && next == ';');
+  };
+  if (!is_definition()) return std::nullopt;
+  return NamedNumber{named.substr(name_begin, name_end - name_begin), number_begin, number_end, literal,
+                     is_negative};
 }
 
 /// Puts the numbers at the places of their names.
@@ -110,8 +91,7 @@ class NumberNames {
     }
     for (const auto& [name, one] : names_)
       if (!one.name.empty()) definitions_.push_back(one);
-    std::sort(definitions_.begin(), definitions_.end(),
-              [](const NamedNumber& a, const NamedNumber& b) { return a.begin < b.begin; });
+    std::ranges::sort(definitions_, {}, &NamedNumber::begin);
   }
 
   std::optional<TextWithNumbers> replaced() {
@@ -122,9 +102,9 @@ class NumberNames {
         at = done_ = next->end;
         ++next;
       } else if (is_of_name(text_[at])) {
-        const std::size_t first = at;
-        while (at < text_.size() && is_of_name(text_[at])) ++at;
-        use(first, at);
+        const std::size_t end = end_of_run(text_, at, is_of_name);
+        use(at, end);
+        at = end;
       } else {
         ++at;
       }
@@ -143,12 +123,13 @@ class NumberNames {
     const NamedNumber& number = found->second;
     const bool is_definition = number.name.data() == text_.data() + begin;
     if (is_definition || (begin > 0 && (text_[begin - 1] == '.' || text_[begin - 1] == ':'))) return;
-    const std::string_view line = text_.substr(start_of_line(text_, begin));
+    const std::string_view line = text_.substr(line_begin(text_, begin));
     if (begins_with_hash(line) && !has_whole_word(line.substr(0, line.find('\n')), "define")) return;
     copy(begin);
     done_ = end;
     if (number.is_negative) out_.append("(-", begin, false);
-    out_.append(text_.substr(number.literal, number.length), number.literal, true);
+    const std::size_t original = number.literal.offset;
+    out_.append(text_.substr(original, number.literal.length), original, true);
     if (number.is_negative) out_.append(")", begin, false);
     is_used_ = true;
   }
@@ -169,10 +150,7 @@ void TextWithNumbers::append(std::string_view part, std::size_t original, bool i
 }
 
 const TextWithNumbers::Piece& TextWithNumbers::piece_at(std::size_t offset) const {
-  const auto behind =
-      std::upper_bound(pieces_.begin(), pieces_.end(), offset,
-                       [](std::size_t place, const Piece& piece) { return place < piece.begin; });
-  return *std::prev(behind);
+  return *std::prev(std::ranges::upper_bound(pieces_, offset, {}, &Piece::begin));
 }
 
 bool TextWithNumbers::is_named(std::size_t offset) const {
@@ -181,9 +159,8 @@ bool TextWithNumbers::is_named(std::size_t offset) const {
 
 std::size_t TextWithNumbers::count_uses(std::size_t offset) const {
   const std::size_t definition = piece_at(offset).original;
-  return static_cast<std::size_t>(std::count_if(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
-    return piece.is_named && piece.original == definition;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      pieces_, [&](const Piece& piece) { return piece.is_named && piece.original == definition; }));
 }
 
 std::size_t TextWithNumbers::original(std::size_t offset) const {

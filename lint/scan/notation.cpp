@@ -1,5 +1,7 @@
 #include "lint/scan/notation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "lint/scan/characters.hpp"
@@ -22,9 +24,8 @@ std::string_view leading_digits(std::string_view text) {
 std::string_view leading_exponent(std::string_view text) {
   if (text.empty() || (text[0] != 'e' && text[0] != 'E')) return {};
   const std::size_t first = text.size() > 1 && (text[1] == '-' || text[1] == '+') ? 2 : 1;
-  std::size_t n = first;
-  while (n < text.size() && is_digit(text[n])) ++n;
-  return n > first ? text.substr(0, n) : std::string_view{};
+  const std::size_t end = end_of_run(text, first, is_digit);
+  return text.substr(0, end > first ? end : 0);
 }
 
 /// Whether these letters may follow a number, by the rules of the scanner.
@@ -36,8 +37,7 @@ bool is_suffix(std::string_view letters) {
 
 /// All digits without leading zeros: as printed, with trailing zeros.
 std::string printed_digits(const Notation& number) {
-  std::string digits(number.whole);
-  digits += number.fraction;
+  std::string digits = fmt::format("{}{}", number.whole, number.fraction);
   std::erase_if(digits, [](char c) { return !is_digit(c); });
   return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
 }
@@ -46,10 +46,8 @@ std::string printed_digits(const Notation& number) {
 std::string exponent_like(std::string_view style, int value) {
   const bool has_sign = style[1] == '-' || style[1] == '+';
   const std::string_view digits = style.substr(has_sign ? 2 : 1);
-  std::string text = std::to_string(std::abs(value));
-  if (digits[0] == '0' && text.size() < digits.size()) text.insert(0, digits.size() - text.size(), '0');
-  const char* sign = value < 0 ? "-" : style[1] == '+' ? "+" : "";
-  return style[0] + (sign + text);
+  const std::string text = fmt::format("{:0{}}", std::abs(value), digits[0] == '0' ? digits.size() : 0);
+  return fmt::format("{}{}{}", style[0], value < 0 ? "-" : style[1] == '+' ? "+" : "", text);
 }
 
 constexpr std::string_view separators = "_'";
@@ -84,13 +82,12 @@ std::string joined(const Notation& literal, std::string whole, std::string fract
 
 std::string with_exponent(const Notation& literal, const Notation& to, std::string_view published) {
   const std::string digits = printed_digits(to);
-  std::string mantissa(literal.whole);
-  mantissa.append(".").append(literal.fraction);
+  const Digits mantissa = digits_of(fmt::format("{}.{}", literal.whole, literal.fraction));
   // The mantissa is 0.DIGITS times 10^point.
-  const int point = digits_of(mantissa).text.empty() ? 1 : digits_of(mantissa).exponent;
+  const int point = mantissa.text.empty() ? 1 : mantissa.exponent;
   const auto before = static_cast<std::size_t>(std::max(point, 0));
   std::string whole = digits.substr(0, before), fraction = digits.substr(std::min(before, digits.size()));
-  if (whole.size() < before) whole.append(before - whole.size(), '0');
+  whole.resize(before, '0');
   if (point < 0) fraction.insert(0, static_cast<std::size_t>(-point), '0');
   const int exponent = digits_of(published).text.empty() ? 0 : digits_of(published).exponent - point;
   return joined(literal, whole, fraction) + exponent_like(literal.exponent, exponent);
@@ -110,11 +107,9 @@ std::optional<Notation> notation_at(std::string_view text) {
   if (number.whole.empty() && number.fraction.empty()) return std::nullopt;
   number.exponent = leading_exponent(text.substr(at));
   at += number.exponent.size();
-  const std::size_t suffix = at;
-  while (at < text.size() && is_of_name(text[at])) ++at;
-  number.suffix = text.substr(suffix, at - suffix);
-  number.length = at;
-  if (at > most_digits || !is_suffix(number.suffix)) return std::nullopt;
+  number.length = end_of_run(text, at, is_of_name);
+  number.suffix = text.substr(at, number.length - at);
+  if (number.length > most_digits || !is_suffix(number.suffix)) return std::nullopt;
   return number;
 }
 

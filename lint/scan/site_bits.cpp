@@ -1,11 +1,12 @@
-#include "lint/scan/site_bits.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "lint/scan/characters.hpp"
 #include "lint/scan/lists.hpp"
+#include "lint/scan/sites.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 /// How much evidence the numbers of a site are.
 class SiteBits {
  public:
-  SiteBits(std::string_view text, const std::vector<Literal>& literals, const KnownSet& set, const Site& site)
-      : text_(text), literals_(literals), set_(set), site_(site) {}
+  SiteBits(const ScannedText& text, const KnownSet& set, const Site& site)
+      : text_(text), set_(set), site_(site) {}
 
   double bits() const {
     double bits = 0;
@@ -38,7 +39,7 @@ class SiteBits {
   std::size_t first() const { return site_.numbers.front().literal; }
   std::size_t last() const { return site_.numbers.back().literal; }
 
-  const Digits& digits_at(std::size_t literal) const { return literals_[literal].digits; }
+  const Digits& digits_at(std::size_t literal) const { return text_.literals[literal].digits; }
 
   /// The bits of one number: log2 of 10 for each digit but the first, since small first digits are common.
   double bits_of(const SiteNumber& number) const {
@@ -48,6 +49,7 @@ class SiteBits {
     std::size_t digits = digits_of(constant.printed).text.size();
     if (!set_.times.empty()) digits = std::min(digits, digits_at(number.literal).text.size());
     const std::size_t published = constant.is_common ? std::min(digits, digits_of_a_common_number) : digits;
+    const std::size_t found = std::min(published, digits_at(number.literal).text.size());
     const auto bits = [&](std::size_t count) { return bits_of_a_digit * (static_cast<double>(count) - 1); };
     if (number.variant) return set_.variants[*number.variant].is_borrowed ? 0 : bits(published);
     switch (number.match) {
@@ -57,15 +59,13 @@ class SiteBits {
         return bits(published);
       case DigitMatch::enough:
       case DigitMatch::rounded:
-        return bits(std::min(published, digits_at(number.literal).text.size())) - 1;  // rounded or cut off
+        return bits(found) - 1;  // rounded or cut off
       case DigitMatch::shifted:
         return bits(published) - 3;  // some eight other places of the point
       case DigitMatch::edited:
         return bits(published) - bits_of_edits(published);
-      case DigitMatch::rounded_and_edited: {
-        const std::size_t count = std::min(published, digits_at(number.literal).text.size());
-        return bits(count) - 1 - bits_of_edits(count);
-      }
+      case DigitMatch::rounded_and_edited:
+        return bits(found) - 1 - bits_of_edits(found);
     }
     return 0;
   }
@@ -74,19 +74,16 @@ class SiteBits {
   static double bits_of_edits(std::size_t digits) { return std::log2(20 * static_cast<double>(digits)); }
 
   std::size_t count_different() const {
-    std::vector<std::string> texts;
-    for (std::size_t i = first(); i <= last(); ++i) texts.push_back(digits_at(i).text);
-    std::sort(texts.begin(), texts.end());
-    return static_cast<std::size_t>(std::unique(texts.begin(), texts.end()) - texts.begin());
+    std::set<std::string_view> texts;
+    for (std::size_t i = first(); i <= last(); ++i) texts.insert(digits_at(i).text);
+    return texts.size();
   }
 
   /// Whether a number is only a factor of the next one, as both 0.6 in 0.6 * 0.6 * 2.51.
   bool is_factor(std::size_t literal) const {
-    if (literal + 1 >= literals_.size()) return false;
-    const std::size_t end = literals_[literal].offset + literals_[literal].length;
-    const std::string_view between = text_.substr(end, literals_[literal + 1].offset - end);
-    return std::count(between.begin(), between.end(), '*') == 1 &&
-           std::all_of(between.begin(), between.end(), [](char c) { return c == '*' || is_blank(c); });
+    const std::string_view between = text_between(text_, literal, literal + 1);
+    return std::ranges::count(between, '*') == 1 &&
+           std::ranges::all_of(between, [](char c) { return c == '*' || is_blank(c); });
   }
 
   /// Where the product begins whose last factor is this number.
@@ -115,10 +112,10 @@ class SiteBits {
     }
     constexpr double bits_of_a_list = 3;
     const double bits = std::lgamma(static_cast<double>(count) + 1) / std::log(2.0);
-    if (!are_neighbours()) return is_column(text_, literals_, places) ? bits : 0;
+    if (!are_neighbours()) return is_column(text_, places) ? bits : 0;
     const std::size_t begin = product_begin(first());
-    if (!is_whole_list(text_, literals_, begin, last()))
-      return bits + (begins_list(text_, literals_[begin]) ? bits_of_a_list / 2 : 0);
+    if (!is_whole_list(text_, begin, last()))
+      return bits + (begins_list(text_.text, text_.literals[begin]) ? bits_of_a_list / 2 : 0);
     return bits + bits_of_a_list + bits_of_decimals();
   }
 
@@ -127,13 +124,13 @@ class SiteBits {
   double bits_of_decimals() const {
     constexpr std::size_t least_numbers = 3;
     const auto are_all = [&](bool (*is_short)(const Digits&, const Digits&)) {
-      return std::all_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
+      return std::ranges::all_of(site_.numbers, [&](const SiteNumber& number) {
         return number.match == DigitMatch::rounded && !number.variant &&
                is_short(digits_at(number.literal), digits_of(set_.constants[number.constant].printed));
       });
     };
     if (site_.numbers.size() < least_numbers || !(are_all(is_rounded) || are_all(is_cut)) ||
-        !have_same_decimals(text_, literals_, first(), last()))
+        !have_same_decimals(text_, first(), last()))
       return 0;
     double bits = static_cast<double>(site_.numbers.size()) - 1;
     for (const SiteNumber& number : site_.numbers)
@@ -147,45 +144,36 @@ class SiteBits {
   double bits_of_names() const {
     constexpr double bits_of_an_id = 10;
     constexpr std::size_t least_words = 2, shortest = 4;
-    const bool is_exact = std::all_of(
-        site_.numbers.begin(), site_.numbers.end(),
-        [](const SiteNumber& number) { return !number.variant && number.match <= DigitMatch::float32; });
+    const bool is_exact = std::ranges::all_of(site_.numbers, [](const SiteNumber& number) {
+      return !number.variant && number.match <= DigitMatch::float32;
+    });
     if (!is_exact || site_.numbers.size() != set_.constants.size()) return 0;
     const std::string lines = lines_of_numbers();
     std::size_t words = 0;
-    for (std::size_t begin = 0; begin <= set_.id.size();) {
-      const std::size_t end = std::min(set_.id.find('-', begin), set_.id.size());
-      if (end - begin >= shortest) {
-        if (lines.find(set_.id.substr(begin, end - begin)) == std::string::npos) return 0;
-        ++words;
-      }
-      begin = end + 1;
+    std::istringstream id(set_.id);
+    for (std::string word; std::getline(id, word, '-');) {
+      if (word.size() < shortest) continue;
+      if (lines.find(word) == std::string::npos) return 0;
+      ++words;
     }
     return words >= least_words ? bits_of_an_id : 0;
   }
 
   /// In lower case, from the start of the first line to the last number.
   std::string lines_of_numbers() const {
-    const std::size_t at = literals_[first()].offset;
-    const std::size_t line_end = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
-    const std::size_t begin = line_end == std::string_view::npos ? 0 : line_end + 1;
-    std::string lines(text_.substr(begin, literals_[last()].offset - begin));
-    for (char& c : lines)
-      if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lines;
+    const std::size_t begin = line_begin(text_.text, text_.literals[first()].offset);
+    return in_small_letters(text_.text.substr(begin, text_.literals[last()].offset - begin));
   }
 
-  std::string_view text_;
-  const std::vector<Literal>& literals_;
+  const ScannedText& text_;
   const KnownSet& set_;
   const Site& site_;
 };
 
 }  // namespace
 
-double bits_of(std::string_view text, const std::vector<Literal>& literals, const KnownSet& set,
-               const Site& site) {
-  return SiteBits(text, literals, set, site).bits();
+double bits_of(const ScannedText& text, const KnownSet& set, const Site& site) {
+  return SiteBits(text, set, site).bits();
 }
 
 }  // namespace shadefit::lint

@@ -1,10 +1,11 @@
-#include "lint/scan/site_choice.hpp"
-
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
+
+#include "lint/scan/sites.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -14,11 +15,10 @@ class SiteChoice {
  public:
   SiteChoice(std::vector<Site> sites, const ReadSite& read)
       : sites_(std::move(sites)), read_(read), readings_(sites_.size()), is_done_(sites_.size()) {
-    std::stable_sort(sites_.begin(), sites_.end(),
-                     [](const Site& a, const Site& b) { return a.bits > b.bits; });
+    std::ranges::stable_sort(sites_, std::ranges::greater(), &Site::bits);
     for (std::size_t i = 0; i < sites_.size(); ++i)
       for (const SiteNumber& number : sites_[i].numbers) at_.emplace_back(number.literal, i);
-    std::sort(at_.begin(), at_.end());
+    std::ranges::sort(at_);
   }
 
   /// The kept sites, by their places.
@@ -27,9 +27,7 @@ class SiteChoice {
       if (!is_done_[i]) keep(better_read(i));
       if (!is_done_[i]) keep(i);
     }
-    std::sort(kept_.begin(), kept_.end(), [](const Site& a, const Site& b) {
-      return a.numbers.front().literal < b.numbers.front().literal;
-    });
+    std::ranges::sort(kept_, {}, [](const Site& site) { return site.numbers.front().literal; });
     return std::move(kept_);
   }
 
@@ -38,15 +36,15 @@ class SiteChoice {
   void keep(std::size_t i) {
     is_done_[i] = true;
     Site& site = sites_[i];
-    if (2 * count_taken(site) >= site.numbers.size()) return;
+    if (is_half_taken(site)) return;
     for (const SiteNumber& number : site.numbers) taken_.insert(number.literal);
     kept_.push_back(std::move(site));
   }
 
-  std::size_t count_taken(const Site& site) const {
-    return static_cast<std::size_t>(
-        std::count_if(site.numbers.begin(), site.numbers.end(),
-                      [&](const SiteNumber& number) { return taken_.count(number.literal) > 0; }));
+  /// Whether other sites have half of its numbers.
+  bool is_half_taken(const Site& site) const {
+    const auto is_taken = [&](const SiteNumber& number) { return taken_.contains(number.literal); };
+    return 2 * std::ranges::count_if(site.numbers, is_taken) >= std::ssize(site.numbers);
   }
 
   const Reading& reading(std::size_t i) {
@@ -56,7 +54,7 @@ class SiteChoice {
 
   /// Of the sites that have most of these numbers, the one whose form is read best.
   std::size_t better_read(std::size_t i) {
-    if (2 * count_taken(sites_[i]) >= sites_[i].numbers.size()) return i;
+    if (is_half_taken(sites_[i])) return i;
     std::size_t best = i;
     for (const std::size_t other : rivals_of(i)) {
       if (reading(best).part == Reading::Part::form) break;

@@ -1,42 +1,67 @@
 #include "lint/scan/sites.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <tuple>
 #include <utility>
 
-#include "lint/scan/companions.hpp"
-#include "lint/scan/site_bits.hpp"
-#include "lint/scan/site_choice.hpp"
+#include "lint/scan/functions.hpp"
+#include "lint/scan/lists.hpp"
 
 namespace shadefit::lint {
 namespace {
 
+/// Constants of one formula are within this many bytes of each other, and in one function.
+constexpr std::size_t most_gap = 700;
+
+/// A number of fewer digits is only looked for near the other constants.
+constexpr std::size_t least_digits_alone = 3;
+
+/// Numbers of few digits, and those with two slips, are looked for at most so many literals away.
+constexpr std::size_t most_literals = 6;
+
 struct Hit {
-  std::size_t set, literal;
+  std::size_t literal;
   NumberMatch match;
+  std::size_t set() const { return match.place.set; }
 };
 
-std::vector<Hit> hits_of(const std::vector<Literal>& literals, const DigitIndex& index) {
+std::vector<Hit> hits_of(std::span<const Literal> literals, const DigitIndex& index) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (literals[i].significant < least_digits_alone) continue;
     for (NumberMatch match : index.find(literals[i].digits)) {
       if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
-      hits.push_back({match.place.set, i, match});
+      hits.push_back({i, match});
     }
   }
   // A number may stand for several constants of a set; the closest comes first.
-  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-    return std::tuple(a.set, a.literal, a.match.match) < std::tuple(b.set, b.literal, b.match.match);
-  });
+  std::ranges::stable_sort(
+      hits, {}, [](const Hit& hit) { return std::tuple(hit.set(), hit.literal, hit.match.match); });
   return hits;
+}
+
+bool is_taken(const Site& site, std::size_t literal) {
+  return std::ranges::find(site.numbers, literal, &SiteNumber::literal) != site.numbers.end();
+}
+
+/// Whether the site's constants stay in the published order with this constant at this literal.
+bool keeps_order(const Site& site, std::size_t constant, std::size_t literal) {
+  return std::ranges::all_of(site.numbers, [&](const SiteNumber& number) {
+    return (number.constant < constant) == (number.literal < literal);
+  });
+}
+
+/// How many literals a literal is away from the site.
+std::size_t distance_to(const Site& site, std::size_t literal) {
+  const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+  return literal < first ? first - literal : literal - std::min(literal, last);
 }
 
 class SiteFinder {
  public:
-  SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
-      : text_(text), literals_(literals), sets_(sets), companions_(text, literals, sets) {}
+  SiteFinder(const ScannedText& text, const std::vector<KnownSet>& sets) : text_(text), sets_(sets) {}
 
   /// Takes the hits of one number and one set, in order. A repeated constant begins the next site, and so
   /// does every number after a complete site: the next copy of the formula may be the wrong one. The
@@ -49,17 +74,15 @@ class SiteFinder {
       return;
     }
     if (!numbers_.empty()) {
-      const Literal& last = literals_[numbers_.back().literal];
-      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap ||
-          !companions_.are_in_one_function(first.literal, numbers_.back().literal) || is_complete())
+      const std::size_t last = numbers_.back().literal;
+      if (first.set() != set_ || at(first.literal).offset > at(last).offset + most_gap ||
+          !are_in_one_function(first.literal, last) || is_complete())
         close();
     }
-    set_ = first.set;
+    set_ = first.set();
     const Hit& hit = next_in_order(hits);
     const SiteNumber number{hit.literal, hit.match.place.constant, hit.match.match, hit.match.variant};
-    const auto same = std::find_if(numbers_.begin(), numbers_.end(), [&](const SiteNumber& other) {
-      return other.constant == number.constant;
-    });
+    const auto same = std::ranges::find(numbers_, number.constant, &SiteNumber::constant);
     if (same != numbers_.end()) {
       // A closer match that replaces a loose one belongs to the same site.
       if (number.match < same->match && same->match >= DigitMatch::rounded) {
@@ -78,41 +101,44 @@ class SiteFinder {
     Site site{set_, std::move(numbers_)};
     numbers_.clear();
     drop_comments(site);
-    companions_.add_near(site);
+    add_near(site);
     // A number among several is near a multiple too often.
     constexpr std::size_t two = 2;
     const KnownSet& set = sets_[site.set];
     if (!set.times.empty() && site.numbers.size() < two && set.constants.size() > two) return;
-    companions_.add_short(site);
-    site.bits = bits_of(text_, literals_, sets_[set_], site);
-    if (site.bits >= telling_bits && companions_.add_wrong(site))
-      site.bits = bits_of(text_, literals_, sets_[set_], site);
+    add_short(site);
+    site.bits = bits_of(text_, set, site);
+    if (site.bits >= telling_bits && add_wrong(site)) site.bits = bits_of(text_, set, site);
     if (site.bits < least_bits) return;
-    if (site.bits < telling_bits) companions_.add_two_slips(site);
+    if (site.bits < telling_bits) add_two_slips(site);
     sites_.push_back(std::move(site));
   }
 
   std::vector<Site> take() { return std::move(sites_); }
 
  private:
+  const Literal& at(std::size_t literal) const { return text_.literals[literal]; }
+  const KnownSet& set_of(const Site& site) const { return sets_[site.set]; }
+  Digits published(const Site& site, std::size_t constant) const {
+    return digits_of(set_of(site).constants[constant].printed);
+  }
+
   /// Whether all constants are there, except those that are only looked for near others.
   bool is_complete() const {
-    const auto& constants = sets_[set_].constants;
-    return numbers_.size() >= static_cast<std::size_t>(std::count_if(
-                                  constants.begin(), constants.end(), [](const KnownConstant& constant) {
-                                    return digits_of(constant.printed).text.size() >= least_digits_alone;
-                                  }));
+    const auto is_looked_for = [](const KnownConstant& constant) {
+      return digits_of(constant.printed).text.size() >= least_digits_alone;
+    };
+    return std::ssize(numbers_) >= std::ranges::count_if(sets_[set_].constants, is_looked_for);
   }
 
   /// Whether a number only repeats the one before it. A set of one number has a formula each time.
   bool is_next_component(std::span<const Hit> hits) const {
-    if (numbers_.empty() || hits.front().set != set_ || sets_[set_].constants.size() == 1) return false;
+    if (numbers_.empty() || hits.front().set() != set_ || sets_[set_].constants.size() == 1) return false;
     const Hit& hit = next_in_order(hits);
     if (hit.match.place.constant != numbers_.back().constant) return false;
-    const std::size_t last = numbers_.back().literal;
-    return hit.literal == last + 1 && literals_[hit.literal].offset <= literals_[last].offset + most_gap &&
-           literals_[hit.literal].is_in_comment == literals_[last].is_in_comment &&
-           literals_[hit.literal].digits == literals_[last].digits;
+    const Literal &here = at(hit.literal), &last = at(numbers_.back().literal);
+    return hit.literal == numbers_.back().literal + 1 && here.offset <= last.offset + most_gap &&
+           here.is_in_comment == last.is_in_comment && here.digits == last.digits;
   }
 
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
@@ -121,31 +147,181 @@ class SiteFinder {
     const DigitMatch closest = hits.front().match.match;
     const auto is_free = [&](const Hit& hit) {
       return hit.match.match == closest &&
-             std::none_of(numbers_.begin(), numbers_.end(), [&](const SiteNumber& number) {
-               return number.constant == hit.match.place.constant;
-             });
+             std::ranges::find(numbers_, hit.match.place.constant, &SiteNumber::constant) == numbers_.end();
     };
     for (const Hit& hit : hits)
       if (is_free(hit) && (numbers_.empty() || hit.match.place.constant > numbers_.back().constant))
         return hit;
-    for (const Hit& hit : hits)
-      if (is_free(hit)) return hit;
-    return hits.front();
+    const auto free = std::ranges::find_if(hits, is_free);
+    return free == hits.end() ? hits.front() : *free;
   }
 
   /// Drops numbers in a comment if others are in code: they are not computed with.
   void drop_comments(Site& site) const {
-    const auto is_in_comment = [&](const SiteNumber& number) {
-      return literals_[number.literal].is_in_comment;
-    };
-    if (!std::all_of(site.numbers.begin(), site.numbers.end(), is_in_comment))
-      std::erase_if(site.numbers, is_in_comment);
+    const auto is_in_comment = [&](const SiteNumber& number) { return at(number.literal).is_in_comment; };
+    if (!std::ranges::all_of(site.numbers, is_in_comment)) std::erase_if(site.numbers, is_in_comment);
   }
 
-  std::string_view text_;
-  const std::vector<Literal>& literals_;
+  bool are_in_one_function(std::size_t a, std::size_t b) {
+    if (!functions_) functions_ = function_begins(text_.text);
+    const auto behind = [&](std::size_t literal) {
+      return std::ranges::upper_bound(*functions_, at(literal).offset);
+    };
+    return behind(a) == behind(b);
+  }
+  bool is_in_function_of(const Site& site, std::size_t literal) {
+    return are_in_one_function(literal, site.numbers.front().literal);
+  }
+
+  /// The literals at most this far from a site that are none of its numbers and, like those, in a comment or
+  /// in code.
+  std::vector<std::size_t> free_near(const Site& site, std::size_t most) const {
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    std::vector<std::size_t> free;
+    for (std::size_t i = first - std::min(first, most); i < std::min(text_.literals.size(), last + most + 1);
+         ++i)
+      if (!is_taken(site, i) && at(i).is_in_comment == at(first).is_in_comment) free.push_back(i);
+    return free;
+  }
+
+  /// Adds constants of few digits, such as 0.03, near the others.
+  void add_near(Site& site) {
+    const Site given = site;
+    const Literal &first = at(site.numbers.front().literal), &last = at(site.numbers.back().literal);
+    std::vector<std::size_t> near = free_near(site, most_literals);
+    std::erase_if(near, [&](std::size_t i) {
+      return at(i).offset + most_gap <= first.offset || at(i).offset >= last.offset + most_gap;
+    });
+    for (const std::size_t c : missing_constants(set_of(site), site)) {
+      const Digits digits = published(site, c);
+      const auto matched = [&](const Digits& found) {
+        if (found == digits) return std::optional(DigitMatch::same);
+        if (set_of(site).times.empty()) return std::optional<DigitMatch>();
+        return match_multiple(found, digits, set_of(site).constants[c].enough_digits);
+      };
+      // First by the published order, then by distance: a 1 may be anywhere.
+      const auto place_of = [&](std::size_t i) {
+        return std::pair(!keeps_order(site, c, i), distance_to(given, i));
+      };
+      std::optional<SiteNumber> any;
+      for (const std::size_t i : near) {
+        const auto match = is_taken(site, i) ? std::nullopt : matched(at(i).digits);
+        if (match && is_in_function_of(given, i) && (!any || place_of(i) < place_of(any->literal)))
+          any = SiteNumber{i, c, *match};
+      }
+      if (any) site.numbers.push_back(*any);
+    }
+    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
+  }
+
+  /// Adds the constant that a list has rounded to too few digits to be looked for alone: 0.072 beside 0.212
+  /// and 0.715.
+  void add_short(Site& site) const {
+    const std::vector<std::size_t> missing = missing_constants(set_of(site), site);
+    if (missing.size() != 1) return;
+    const std::size_t constant = missing.front();
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    for (const std::size_t i : free_near(site, 1)) {
+      const std::size_t begin = std::min(first, i), end = std::max(last, i);
+      if (at(i).significant >= least_digits_alone || end - begin != site.numbers.size() ||
+          !keeps_order(site, constant, i) || !is_shortened(at(i).digits, published(site, constant)) ||
+          !have_same_decimals(text_, begin, end) || !is_whole_list(text_, begin, end))
+        continue;
+      site.numbers.push_back({i, constant, DigitMatch::rounded});
+      std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
+      return;
+    }
+  }
+
+  /// Adds wrong numbers that are no evidence. Only for sites whose numbers are evidence enough. True if
+  /// there is one.
+  bool add_wrong(Site& site) {
+    const bool is_changed = add_rounded_and_edited(site);
+    return take_edited_repetitions(site) || is_changed;
+  }
+
+  /// Adds missing constants as numbers that were rounded and then mistyped, or mistyped in other units,
+  /// between or beside the others. True if there is one.
+  bool add_rounded_and_edited(Site& site) {
+    const Site given = site;
+    const bool has_other_units = is_in_other_units(site);
+    for (const std::size_t c : missing_constants(set_of(site), site)) {
+      if (set_of(site).constants[c].is_common) continue;
+      const Digits digits = published(site, c);
+      const auto matched = [&](const Digits& found) -> std::optional<DigitMatch> {
+        // The index does not look for multiples of few digits, nor for edited ones.
+        const auto match = set_of(site).times.empty() ? std::nullopt : match_digits(found, digits);
+        if (match && *match != DigitMatch::shifted) return match;
+        if (is_rounded_and_edited(found, digits)) return DigitMatch::rounded_and_edited;
+        const bool is_edited =
+            has_other_units && match_digits({found.text, digits.exponent}, digits) == DigitMatch::edited;
+        return is_edited ? std::optional(DigitMatch::edited) : std::nullopt;
+      };
+      for (const std::size_t i : free_near(given, 1)) {
+        if (is_taken(site, i) || !keeps_order(site, c, i) || !is_in_function_of(given, i)) continue;
+        const auto match = matched(at(i).digits);
+        if (!match) continue;
+        site.numbers.push_back({i, c, *match});
+        break;
+      }
+    }
+    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
+    return site.numbers.size() > given.numbers.size();
+  }
+
+  /// A constant that the form has at several places may have a wrong digit or exponent at one of them only.
+  /// Then that number is the constant. True if there is one.
+  bool take_edited_repetitions(Site& site) const {
+    constexpr std::size_t least_repeated = 5;  // one of 100 such numbers has one edit
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    bool is_changed = false;
+    if (!set_of(site).times.empty()) return false;
+    for (SiteNumber& number : site.numbers) {
+      const KnownConstant& constant = set_of(site).constants[number.constant];
+      const Digits digits = digits_of(constant.printed);
+      if (!constant.is_repeated || constant.is_common || number.match > DigitMatch::float32 ||
+          digits.text.size() < least_repeated)
+        continue;
+      for (std::size_t i = first; i <= last; ++i) {
+        const auto match = match_digits(at(i).digits, digits);
+        if ((match != DigitMatch::edited && match != DigitMatch::shifted) || is_taken(site, i) ||
+            at(i).is_in_comment != at(number.literal).is_in_comment)
+          continue;
+        number = {i, number.constant, *match};
+        is_changed = true;
+        break;
+      }
+    }
+    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
+    return is_changed;
+  }
+
+  /// Adds the two missing constants of three digits as the nearest numbers with a usual slip: 0.229 for 0.299
+  /// and 0.144 for 0.114. They are no evidence: only the expression can show that they belong to the site.
+  void add_two_slips(Site& site) {
+    std::vector<std::size_t> missing = missing_constants(set_of(site), site);
+    std::erase_if(missing, [&](std::size_t c) { return set_of(site).constants[c].is_common; });
+    if (missing.size() != 2) return;
+    Site whole = site;
+    for (const std::size_t constant : missing) {
+      const Digits digits = published(site, constant);
+      if (digits.text.size() != least_digits_alone) return;
+      std::optional<std::size_t> nearest;
+      for (const std::size_t i : free_near(site, most_literals)) {
+        if (is_taken(whole, i) || !is_in_function_of(site, i) || !is_usual_slip(at(i).digits, digits))
+          continue;
+        if (!nearest || distance_to(site, i) < distance_to(site, *nearest)) nearest = i;
+      }
+      if (!nearest) return;
+      whole.numbers.push_back({*nearest, constant, DigitMatch::edited});
+    }
+    std::ranges::sort(whole.numbers, {}, &SiteNumber::literal);
+    site = std::move(whole);
+  }
+
+  const ScannedText& text_;
   const std::vector<KnownSet>& sets_;
-  Companions companions_;
+  std::optional<std::vector<std::size_t>> functions_;  ///< where they begin, computed when first needed
   std::size_t set_ = 0;
   std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
   std::vector<Site> sites_;
@@ -154,17 +330,24 @@ class SiteFinder {
 }  // namespace
 
 bool is_in_other_units(const Site& site) {
-  return std::count_if(site.numbers.begin(), site.numbers.end(),
-                       [](const SiteNumber& number) { return number.match == DigitMatch::shifted; }) > 1;
+  return std::ranges::count(site.numbers, DigitMatch::shifted, &SiteNumber::match) > 1;
 }
 
-std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
-                           const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read) {
-  const std::vector<Hit> hits = hits_of(literals, index);
+std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site) {
+  std::vector<std::size_t> missing;
+  for (std::size_t c = 0; c < set.constants.size(); ++c)
+    if (std::ranges::find(site.numbers, c, &SiteNumber::constant) == site.numbers.end()) missing.push_back(c);
+  return missing;
+}
+
+std::vector<Site> sites_of(const ScannedText& text, const std::vector<KnownSet>& sets,
+                           const DigitIndex& index, const ReadSite& read) {
+  const std::vector<Hit> hits = hits_of(text.literals, index);
   if (hits.empty()) return {};
-  SiteFinder finder(text, literals, sets);
+  SiteFinder finder(text, sets);
   for (std::size_t i = 0, end = 0; i < hits.size(); i = end) {
-    while (end < hits.size() && hits[end].set == hits[i].set && hits[end].literal == hits[i].literal) ++end;
+    while (end < hits.size() && hits[end].set() == hits[i].set() && hits[end].literal == hits[i].literal)
+      ++end;
     finder.add(std::span(hits).subspan(i, end - i));
   }
   finder.close();

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "lint/scan/digit_index.hpp"
@@ -33,6 +32,9 @@ struct Site {
 /// kelvin, and right.
 bool is_in_other_units(const Site& site);
 
+/// The indices of the set's constants that are not at the site.
+std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site);
+
 /// Sites with at least this many bits need no other evidence. A tree of 10 000 files has some 2^22 numbers,
 /// and there are some 2^8 sets of constants.
 inline constexpr double telling_bits = 24;
@@ -56,7 +58,14 @@ using ReadSite = std::function<Reading(const Site&)>;
 
 /// All sites of at least `least_bits`, by their places. If two sites have most of their numbers in common,
 /// the one whose form is read better is kept, if it has as many constants; otherwise the more telling one.
-std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
-                           const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read);
+std::vector<Site> sites_of(const ScannedText& text, const std::vector<KnownSet>& sets,
+                           const DigitIndex& index, const ReadSite& read);
+
+/// The sites to keep, by their places, of those that have numbers in common: see `sites_of`.
+std::vector<Site> chosen_sites(std::vector<Site> sites, const ReadSite& read);
+
+/// How much evidence the numbers of a site are: see `Site::bits`. What counts: the digits of each number, its
+/// place among the other numbers, the published order, and the names beside it.
+double bits_of(const ScannedText& text, const KnownSet& set, const Site& site);
 
 }  // namespace shadefit::lint

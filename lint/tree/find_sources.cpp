@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -8,8 +9,8 @@
 
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
-#include "lint/tree/folder_rules.hpp"
-#include "lint/tree/shown_name.hpp"
+#include "lint/scan/characters.hpp"
+#include "lint/tree/ignore_rules.hpp"
 #include "lint/tree/source_tree.hpp"
 
 namespace shadefit::lint {
@@ -35,13 +36,28 @@ constexpr std::size_t most_large_messages = 5;
 constexpr std::uintmax_t looked_into = 16384;
 
 template <class Values, class Value>
-bool is_one_of(const Values& names, const Value& name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+bool contains(const Values& values, const Value& value) {
+  return std::ranges::find(values, value) != std::end(values);
 }
 
 bool is_minified_name(const std::string& name) {
   const std::string small = in_small_letters(name);
   return small.ends_with(".min.js") || small.ends_with(".min.mjs") || small.ends_with(".min.cjs");
+}
+
+/// A path as shown: relative to `current`, an absolute folder, if it is absolute and below that; otherwise as
+/// given. With '/' between its names, without "." and double '/'. The folder `current` itself is the empty
+/// text.
+std::string shown_name(const fs::path& path, const fs::path& current) {
+  fs::path shown = path;
+  if (path.is_absolute()) {
+    const fs::path relative = path.lexically_relative(current);
+    if (!relative.empty() && *relative.begin() != "..") shown = relative;
+  }
+  fs::path result;
+  for (const auto& part : shown)
+    if (!part.empty() && part != ".") result /= part;
+  return result.generic_string();
 }
 
 /// A place on the walk: its absolute name without links, and its shown name, which is empty for the current
@@ -92,19 +108,17 @@ class Search {
   }
 
   SourceTree take() {
-    std::sort(tree_.files.begin(), tree_.files.end(),
-              [](const SourceFile& a, const SourceFile& b) { return a.name < b.name; });
+    std::ranges::sort(tree_.files, {}, &SourceFile::name);
     return std::move(tree_);
   }
 
  private:
   void add_globs(const FolderGlobs& given, const fs::path& path) {
     std::error_code none;
-    std::string folder = fs::weakly_canonical(given.folder.empty() ? current_ : given.folder, none).string(),
-                lines;
+    std::string folder = fs::weakly_canonical(given.folder.empty() ? current_ : given.folder, none).string();
     const std::string inside = path.string() + "/";
     if (none || !inside.starts_with(folder == "/" ? folder : folder + "/")) folder = path.string();
-    for (const std::string& glob : given.globs) lines += glob + "\n";
+    const std::string lines = fmt::format("{}", fmt::join(given.globs, "\n"));
     globs_.push_back(rules_of(folder, parse_ignore_rules(lines)));
   }
 
@@ -121,7 +135,7 @@ class Search {
     fs::directory_iterator entry(folder.path(), error);
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) entries.push_back(*entry);
     if (error) cannot_read(folder.path(), error.message());
-    std::sort(entries.begin(), entries.end());
+    std::ranges::sort(entries);
     enter(folder.absolute, lists);
     for (const fs::directory_entry& one : entries) {
       const std::string name = one.path().filename().string();
@@ -138,12 +152,12 @@ class Search {
   }
 
   bool is_wanted_folder(const FoundPath& place, const std::string& name, const RuleLists& lists) {
-    if (is_one_of(control_names, name)) return false;
+    if (contains(control_names, name)) return false;
     if (is_ignored(place, true, lists)) {
       ++tree_.skipped.ignored;
       return false;
     }
-    const bool is_others = !options_.with_vendored && is_one_of(vendored_names, in_small_letters(name)) &&
+    const bool is_others = !options_.with_vendored && contains(vendored_names, in_small_letters(name)) &&
                            verdict(globs_, place.absolute, true) != IgnoreVerdict::kept;
     if (is_others) ++tree_.skipped.vendored;
     return !is_others;
@@ -163,7 +177,7 @@ class Search {
       return;
     }
     const auto& wanted = options_.languages;
-    if (!wanted.empty() && !is_one_of(wanted, named->language)) return;
+    if (!wanted.empty() && !contains(wanted, named->language)) return;
     if (is_ignored(place, false, lists)) {
       ++tree_.skipped.ignored;
     } else if (is_minified_name(name)) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "lint/scan/characters.hpp"
+
 namespace shadefit::lint {
 namespace {
 
@@ -19,32 +21,35 @@ bool is_byte_within(char c, char first, char last) {
   return byte_index(first) <= byte_index(c) && byte_index(c) <= byte_index(last);
 }
 
-/// The classes of ASCII, in every locale. git's spaces are these four.
-bool is_in_class(std::string_view name, char c) {
-  const bool is_letter = is_byte_within(c, 'a', 'z') || is_byte_within(c, 'A', 'Z'),
-             is_digit = is_byte_within(c, '0', '9');
-  if (name == "alnum") return is_letter || is_digit;
-  if (name == "alpha") return is_letter;
-  if (name == "blank") return c == ' ' || c == '\t';
-  if (name == "cntrl") return byte_index(c) < ' ' || c == '\x7F';
-  if (name == "digit") return is_digit;
-  if (name == "graph") return is_byte_within(c, '!', '~');
-  if (name == "lower") return is_byte_within(c, 'a', 'z');
-  if (name == "print") return is_byte_within(c, ' ', '~');
-  if (name == "punct") return is_byte_within(c, '!', '~') && !is_letter && !is_digit;
-  if (name == "space") return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-  if (name == "upper") return is_byte_within(c, 'A', 'Z');
-  return is_digit || is_byte_within(c, 'a', 'f') || is_byte_within(c, 'A', 'F');
-}
+/// A class of bytes, as [:alpha:].
+struct ByteClass {
+  std::string_view name;
+  bool (*has)(char c);
+};
 
-constexpr std::array<std::string_view, 12> class_names{"alnum", "alpha", "blank", "cntrl", "digit", "graph",
-                                                       "lower", "print", "punct", "space", "upper", "xdigit"};
+/// The classes of ASCII, in every locale. git's spaces are these four.
+constexpr std::array<ByteClass, 12> classes{{
+    {"alnum", [](char c) { return is_letter(c) || is_digit(c); }},
+    {"alpha", is_letter},
+    {"blank", is_blank_in_line},
+    {"cntrl", [](char c) { return byte_index(c) < ' ' || c == '\x7F'; }},
+    {"digit", is_digit},
+    {"graph", [](char c) { return is_byte_within(c, '!', '~'); }},
+    {"lower", [](char c) { return is_byte_within(c, 'a', 'z'); }},
+    {"print", [](char c) { return is_byte_within(c, ' ', '~'); }},
+    {"punct", [](char c) { return is_byte_within(c, '!', '~') && !is_letter(c) && !is_digit(c); }},
+    {"space", is_blank},
+    {"upper", [](char c) { return is_byte_within(c, 'A', 'Z'); }},
+    {"xdigit",
+     [](char c) { return is_digit(c) || is_byte_within(c, 'a', 'f') || is_byte_within(c, 'A', 'F'); }},
+}};
 
 /// The set of a class; empty for an unknown one.
 std::optional<std::bitset<256>> set_of_class(std::string_view name) {
-  if (std::find(class_names.begin(), class_names.end(), name) == class_names.end()) return std::nullopt;
+  const auto found = std::ranges::find(classes, name, &ByteClass::name);
+  if (found == classes.end()) return std::nullopt;
   std::bitset<256> set;
-  for (std::size_t i = 0; i < set.size(); ++i) set[i] = is_in_class(name, static_cast<char>(i));
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = found->has(static_cast<char>(i));
   return set;
 }
 
@@ -91,12 +96,8 @@ std::optional<std::bitset<256>> take_set(std::string_view& text) {
   return is_negative ? ~set : set;
 }
 
-GlobStep set_step(const std::bitset<256>& bytes) {
-  return {Kind::byte, bytes};
-}
-
 GlobStep byte_step(char c) {
-  return set_step(std::bitset<256>().set(byte_index(c)));
+  return {Kind::byte, std::bitset<256>().set(byte_index(c))};
 }
 
 /// Takes the stars that the rest of a pattern begins with.
@@ -129,7 +130,7 @@ std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
     if (c == '?' || c == '[') {
       auto set = c == '?' ? std::optional(~std::bitset<256>()) : take_set(rest);
       if (!set) return std::nullopt;
-      steps.push_back(set_step(set->reset(byte_index('/'))));
+      steps.push_back({Kind::byte, set->reset(byte_index('/'))});
       continue;
     }
     if (c == '\\') {
@@ -150,10 +151,9 @@ std::string take_end(std::vector<GlobStep>& steps) {
     if (is_optional) break;
     std::size_t byte = 0;
     while (!steps.back().bytes[byte]) ++byte;
-    end.push_back(static_cast<char>(byte));
+    end.insert(end.begin(), static_cast<char>(byte));
     steps.pop_back();
   }
-  std::reverse(end.begin(), end.end());
   return end;
 }
 
@@ -188,7 +188,7 @@ bool matches(const Glob& glob, std::string_view text) {
   at[0] = 1;
   leave_out(at, steps);
   for (const char c : text) {
-    std::fill(next.begin(), next.end(), '\0');
+    std::ranges::fill(next, '\0');
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (at[i] == 0) continue;
       const Kind kind = steps[i].kind;

@@ -6,7 +6,7 @@
 
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/toml_reader.hpp"
-#include "lint/tree/folder_rules.hpp"
+#include "lint/tree/ignore_rules.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -35,7 +35,7 @@ std::vector<std::string> words_of(const TomlReader& reader, const toml::table& i
 std::string choice_of(const TomlReader& reader, const toml::node& node, const std::string& key,
                       const std::vector<std::string>& known) {
   const std::string word = word_of(reader, node, key);
-  if (std::find(known.begin(), known.end(), word) != known.end()) return word;
+  if (std::ranges::find(known, word) != known.end()) return word;
   const auto nearest = nearest_name(word, known);
   reader.fail(node, fmt::format("{} '{}' is unknown: {}", key, word,
                                 nearest ? fmt::format("did you mean '{}'?", *nearest)

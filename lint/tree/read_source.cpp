@@ -17,22 +17,18 @@ constexpr std::size_t least_minified_bytes = 8192, least_minified_mean = 1000;
 
 bool is_minified(const std::string& text) {
   if (text.size() < least_minified_bytes) return false;
-  const auto ends = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  const auto ends = static_cast<std::size_t>(std::ranges::count(text, '\n'));
   return text.size() / (ends + 1) >= least_minified_mean;
 }
 
 }  // namespace
 
 void add(SkippedFiles& sum, const SkippedFiles& part) {
-  sum.unknown_language += part.unknown_language;
-  sum.binary += part.binary;
-  sum.too_large += part.too_large;
-  sum.vendored += part.vendored;
-  sum.minified += part.minified;
-  sum.ignored += part.ignored;
-  sum.unreadable += part.unreadable;
-  sum.links += part.links;
-  sum.in_tables += part.in_tables;
+  using Skipped = SkippedFiles;
+  for (const auto count :
+       {&Skipped::unknown_language, &Skipped::binary, &Skipped::too_large, &Skipped::vendored,
+        &Skipped::minified, &Skipped::ignored, &Skipped::unreadable, &Skipped::links, &Skipped::in_tables})
+    sum.*count += part.*count;
   sum.messages.insert(sum.messages.end(), part.messages.begin(), part.messages.end());
 }
 

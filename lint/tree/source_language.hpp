@@ -2,8 +2,9 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <string_view>
+
+#include "lint/scan/literals.hpp"
 
 /// The languages of source files, and how to tell them apart.
 namespace shadefit::lint {
@@ -36,11 +37,11 @@ inline constexpr std::array source_languages{
 /// Its name for options and messages: "glsl", "c", "cuda" ..
 std::string_view name(SourceLanguage language);
 
+/// How it writes comments.
+CommentStyle comments_of(SourceLanguage language);
+
 /// The language of that name; empty if there is none.
 std::optional<SourceLanguage> language_named(std::string_view name);
-
-/// The text in lower case, for ASCII letters.
-std::string in_small_letters(std::string_view text);
 
 /// What the name of a file tells about its language.
 struct NamedLanguage {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/expression/comment_text.hpp"
+#include "lint/expression/program_text.hpp"
 #include "lint/lint_tree.hpp"
 #include "tests/lint/all_known.hpp"
 

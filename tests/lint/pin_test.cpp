@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/studies/find_study.hpp"
-#include "lint/pins/judge_pin.hpp"
+#include "lint/pins/pins.hpp"
 
 /// Marks that pin a number to a published constant.
 namespace shadefit::lint {

@@ -79,7 +79,7 @@ TEST(Sites, InATableOfNumbersAreOnlyCounted) {
   EXPECT_EQ(graded(list(20)), Words{"luma-709 typo"});
   EXPECT_EQ(graded(list(70)), Words{});
   SkippedFiles skipped;
-  lint_source("a.glsl", list(70), SourceLanguage::glsl, the_known(), {}, skipped);
+  lint_source("a.glsl", list(70), SourceLanguage::glsl, the_known(), {}, keep_going, &skipped);
   EXPECT_EQ(skipped.in_tables, 1U);
   // A statement behind the table is another list.
   EXPECT_EQ(graded(list(70) + "\nvec3 w = vec3(0.2126, 0.7125, 0.0722);"), Words{"luma-709 typo"});

@@ -1,0 +1,424 @@
+#include "lint/site_judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "lint/expression/program_text.hpp"
+#include "lint/expression/source_expression.hpp"
+#include "lint/scan/lists.hpp"
+#include "lint/scan/notation.hpp"
+
+namespace shadefit::lint {
+namespace {
+
+/// The text of an expression with names by the order of their places: two expressions that differ in their
+/// names alone have one text.
+std::string text_without_names(const Symbolic& expression) {
+  std::map<std::string, std::string> names;
+  return to_text(evaluate<Symbolic>(expression, [&](const std::string& name) {
+    const auto [place, is_new] = names.emplace(name, "");
+    if (is_new) place->second = "v" + std::to_string(names.size());
+    return Symbolic::variable(place->second);
+  }));
+}
+
+/// A wrong expression counts only if numbers and operations are evidence enough. Two of some 100 slips of
+/// some 100 forms fit by chance in one of 2^13 cases, and the median form has 6 operations, one bit for each.
+constexpr double bits_for_a_slip = 13 + 6;
+
+/// The indices of the two branches among the parts of a choice.
+constexpr std::array<std::size_t, 2> branches{2, 3};
+
+std::vector<Symbolic> expressions_in(std::string_view text, std::size_t begin, std::size_t end,
+                                     CommentStyle style, TextMemory& memory) {
+  const auto read = [&](std::string_view one, CommentStyle as) {
+    return memory.expressions.get({as, std::string(one)}, [&] { return read_expression(one, as); });
+  };
+  std::vector<Symbolic> found;
+  for (const std::string_view one : expressions_around(text, begin, end))
+    if (auto expression = read(one, style)) found.push_back(std::move(*expression));
+  for (Symbolic& value : values_around(text, begin, end, style, read)) found.push_back(std::move(value));
+  return found;
+}
+
+/// A part of a text and its numbers.
+struct PartOfText {
+  std::string text;
+  std::vector<Literal> literals;
+};
+
+/// The text around the literals from `first` to `last`, with another number at some of them.
+PartOfText part_with(const ScannedText& whole, std::size_t first, std::size_t last,
+                     std::span<const std::size_t> changed, std::string_view number) {
+  constexpr std::size_t most_bytes_around = 2000;  // no expression is read farther away
+  const auto& [text, style, literals] = whole;
+  PartOfText part;
+  std::size_t done = literals[first].offset - std::min(literals[first].offset, most_bytes_around);
+  for (std::size_t i = first; i <= last; ++i) {
+    Literal literal = literals[i];
+    part.text += text.substr(done, literal.offset - done);
+    done = literal.offset + literal.length;
+    std::string digits(text.substr(literal.offset, literal.length));
+    if (std::ranges::find(changed, i) != changed.end()) digits = rewritten(digits, number);
+    literal.offset = part.text.size();
+    literal.length = digits.size();
+    literal.digits = digits_of(digits);
+    part.literals.push_back(literal);
+    part.text += digits;
+  }
+  part.text += text.substr(done, most_bytes_around);
+  return part;
+}
+
+/// The literals that stand for a constant, by their indices.
+struct FoundLiterals {
+  std::vector<std::size_t> literals;
+  bool are_certain = false;
+};
+
+/// Reads the text around a site as the form of its set.
+class SiteReader {
+ public:
+  SiteReader(const ScannedText& text, const KnownSet& set, const Site& site, TextMemory& memory)
+      : text_(text),
+        set_(set),
+        site_(site),
+        memory_(memory),
+        constants_(constants_at(set, site, text.literals)),
+        missing_(missing_constants(set, site)) {}
+
+  /// The constants as found: see constants_at().
+  const std::vector<double>& constants() const { return constants_; }
+
+  /// The indices of the set's constants that are not at the site.
+  const std::vector<std::size_t>& missing() const { return missing_; }
+
+  /// The smallest expression around the numbers that is the form, perhaps with a slip. Empty if there is
+  /// none, if more than one constant is missing that a program must have, or if the numbers are in other
+  /// units.
+  std::optional<ExpressionMatch> read() const {
+    if (is_in_other_units(site_) || lacks_constants()) return std::nullopt;
+    std::vector<double> numbers;
+    for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants_[number.constant]));
+    std::optional<ExpressionMatch> slip, core;
+    for (const Symbolic& one : expressions(site_.numbers.front().literal, site_.numbers.back().literal)) {
+      auto match = memory_.matches.get({&set_, text_without_names(one), constants_, numbers, missing_}, [&] {
+        return match_expression(one, set_, constants_, numbers, missing_);
+      });
+      if (!match) continue;
+      if (match->is_core && !match->replaced) {
+        if (!core) core = std::move(match);
+        continue;
+      }
+      if (match->slip.empty()) return match;
+      if (!slip && believes_slips()) slip = std::move(match);
+    }
+    if (slip) return slip;
+    return core ? core : slip_of_branch();
+  }
+
+  /// How much of the form the text contains.
+  Reading reading() const {
+    const std::size_t count = site_.numbers.size();
+    if (const auto match = read(); match && match->slip.empty() && !match->is_core)
+      return {Reading::Part::form, count + (match->replaced ? 1 : 0)};
+    const bool has_branch =
+        std::ranges::any_of(branches, [&](std::size_t part) { return reads_branch(part); });
+    return {has_branch ? Reading::Part::branch : Reading::Part::nothing, count};
+  }
+
+  /// The literals of a constant that has this value at the site, and that only the expression shows. They are
+  /// certain if the text with the published number at these literals is the form with it. Several literals
+  /// are in a row, as in vec3(0.4, 0.4, 0.4). If none are certain, the nearest literal with this value.
+  FoundLiterals literals_of(std::size_t constant, double value) const {
+    const std::vector<std::size_t> near = candidates(constant, value);
+    for (const std::size_t& one : near)
+      if (is_form_with(constant, {&one, 1})) return {{one}, true};
+    std::vector<std::size_t> all = near;
+    std::ranges::sort(all);
+    for (auto begin = all.begin(), end = begin; begin != all.end(); begin = end) {
+      for (end = begin + 1; end != all.end() && *end == *(end - 1) + 1;) ++end;
+      if (end - begin > 1 && is_form_with(constant, {begin, end})) return {{begin, end}, true};
+    }
+    return near.empty() ? FoundLiterals{} : FoundLiterals{{near.front()}, false};
+  }
+
+ private:
+  /// One branch of a choice as a set of its own, with those of its numbers that are at the site.
+  struct Branch {
+    KnownSet set;
+    std::vector<double> numbers;
+    std::vector<Symbolic> expressions;  ///< around them
+  };
+
+  bool believes_slips() const {
+    return site_.numbers.size() > 1 && site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
+  }
+
+  /// The literals with this value that are no other constant, the nearest ones first.
+  std::vector<std::size_t> candidates(std::size_t constant, double value) const {
+    constexpr std::size_t near = 8;
+    const std::size_t first = site_.numbers.front().literal, last = site_.numbers.back().literal;
+    const auto distance = [&](std::size_t i) {  // in bytes
+      return i < first ? text_.literals[first].offset - text_.literals[i].offset
+                       : text_.literals[i].offset - text_.literals[std::min(i, last)].offset;
+    };
+    std::vector<std::size_t> found;
+    for (std::size_t i = first - std::min(first, near); i < std::min(text_.literals.size(), last + near);
+         ++i) {
+      const bool is_taken = std::ranges::any_of(site_.numbers, [&](const SiteNumber& number) {
+        return number.literal == i && number.constant != constant;
+      });
+      if (!is_taken && number_of(text_.literals[i].digits) == value) found.push_back(i);
+    }
+    std::ranges::stable_sort(found, [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    return found;
+  }
+
+  /// Whether the text is the form if the published number stands at these literals, which rise.
+  bool is_form_with(std::size_t constant, std::span<const std::size_t> at) const {
+    Site site{site_.set, {}, site_.bits};
+    for (const SiteNumber& number : site_.numbers)
+      if (number.constant != constant) site.numbers.push_back(number);
+    site.numbers.push_back({at.back(), constant});
+    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
+    const std::size_t first = std::min(at.front(), site.numbers.front().literal);
+    const PartOfText part =
+        part_with(text_, first, site.numbers.back().literal, at, set_.constants[constant].printed);
+    for (SiteNumber& number : site.numbers) number.literal -= first;
+    const ScannedText changed{part.text, text_.style, part.literals};
+    const auto match = SiteReader(changed, set_, site, memory_).read();
+    return match && match->slip.empty() && !match->replaced &&
+           match->constants[constant] == set_.constants[constant].value;
+  }
+
+  /// Whether more than one constant is missing that a program must have, unlike 1 or pi/2. Then no expression
+  /// can be the form.
+  bool lacks_constants() const {
+    return std::ranges::count_if(
+               missing_, [&](std::size_t constant) { return !set_.constants[constant].is_common; }) > 1;
+  }
+
+  /// The values that are computed around the numbers: first in one statement, then in several.
+  std::vector<Symbolic> expressions(std::size_t first, std::size_t last) const {
+    const auto& [text, style, literals] = text_;
+    const std::size_t begin = literals[first].offset, end = literals[last].offset + literals[last].length;
+    if (!literals[first].is_in_comment) return expressions_in(text, begin, end, style, memory_);
+    constexpr std::size_t most_bytes_around = 700;
+    const std::size_t start = begin - std::min(begin, most_bytes_around);
+    const std::string program = comment_as_program(text.substr(start, end - start + most_bytes_around));
+    return expressions_in(program, begin - start, end - start, CommentStyle::none, memory_);
+  }
+
+  /// The constants of one branch, and the text around them. Empty if the form is not a choice, or if the
+  /// branch is as simple as u/s, which is in many formulas.
+  std::optional<Branch> branch(std::size_t part) const {
+    constexpr std::size_t least_constants = 2;
+    if (set_.formula.kind() != Symbolic::Kind::choice) return std::nullopt;
+    Branch found{set_, {}, {}};
+    found.set.formula = set_.formula.part(part);
+    const std::set<std::string> names = names_of(found.set.formula);
+    std::vector<std::size_t> literals;
+    for (const SiteNumber& number : site_.numbers) {
+      if (!names.contains(set_.constants[number.constant].name)) continue;
+      literals.push_back(number.literal);
+      found.numbers.push_back(std::abs(constants_[number.constant]));
+    }
+    if (literals.size() < least_constants) return std::nullopt;
+    found.expressions = expressions(literals.front(), literals.back());
+    return found;
+  }
+
+  /// Whether the text around the constants of a branch computes that branch: pow((u + a)/b, p).
+  bool reads_branch(std::size_t part) const {
+    const auto found = branch(part);
+    return found && std::ranges::any_of(found->expressions, [&](const Symbolic& expression) {
+             return is_form(expression, found->set, constants_, found->numbers);
+           });
+  }
+
+  /// The form with a slip in one branch, if the branches are statements of their own.
+  std::optional<ExpressionMatch> slip_of_branch() const {
+    if (!believes_slips()) return std::nullopt;
+    for (const std::size_t part : branches) {
+      const auto found = branch(part);
+      if (!found) continue;
+      std::optional<ExpressionMatch> slip;
+      for (const Symbolic& expression : found->expressions) {
+        auto match = match_expression(expression, found->set, constants_, found->numbers, {});
+        if (match && match->slip.empty()) return std::nullopt;
+        if (match && !slip) slip = std::move(match);
+      }
+      if (!slip) continue;
+      std::vector<Symbolic> parts = set_.formula.parts();
+      parts[part] = slip->form;
+      slip->form = set_.formula.with_parts(std::move(parts));
+      return slip;
+    }
+    return std::nullopt;
+  }
+
+  const ScannedText& text_;
+  const KnownSet& set_;
+  const Site& site_;
+  TextMemory& memory_;
+  std::vector<double> constants_;
+  std::vector<std::size_t> missing_;
+};
+
+/// Judges a site in a text.
+class SiteJudge {
+ public:
+  SiteJudge(const ScannedText& text, const ScannedText& program, const KnownSet& set, const Site& site,
+            TextMemory& memory)
+      : text_(text), set_(set), site_(site), reader_(program, set, site, memory), memory_(memory) {}
+
+  std::optional<JudgedSite> judge(const EffectLimits& limits) const {
+    auto read = reader_.read();
+    const bool is_read = read.has_value();
+    if (!read && site_.bits < telling_bits) return std::nullopt;
+    const auto in_order = is_read ? std::nullopt : literal_in_order();
+    if (in_order) read = replaced_by(*in_order);
+    JudgedSite judged;
+    judged.set = site_.set;
+    judged.numbers = judged_numbers();
+    const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, reader_.constants()});
+    judged.graded = grade_of(set_, site_, found, limits, memory_.effects);
+    if (found.replaced) {
+      if (auto number = replacing(found, in_order)) judged.numbers.push_back(std::move(*number));
+      std::ranges::sort(judged.numbers, {}, &JudgedNumber::offset);
+    }
+    if (found.is_published)
+      for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
+    judged.slip = found.slip;
+    judged.is_read = is_read;
+    judged.is_in_comment = std::ranges::all_of(
+        site_.numbers, [&](const SiteNumber& number) { return at(number.literal).is_in_comment; });
+    // A comment without a formula may wrap a number or mention an older one, unless it has the whole set.
+    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right && !is_whole_set())
+      return std::nullopt;
+    for (const SiteNumber& number : site_.numbers)
+      if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
+    return judged;
+  }
+
+ private:
+  const Literal& at(std::size_t literal) const { return text_.literals[literal]; }
+  const Digits& digits_at(const SiteNumber& number) const { return at(number.literal).digits; }
+  Digits published(const SiteNumber& number) const {
+    return digits_of(set_.constants[number.constant].printed);
+  }
+
+  /// Whether all constants are there with as many digits as published, right or wrong.
+  bool is_whole_set() const {
+    return site_.numbers.size() == set_.constants.size() &&
+           std::ranges::all_of(site_.numbers, [&](const SiteNumber& number) {
+             return number.match <= DigitMatch::float32 ||
+                    digits_at(number).text.size() == published(number).text.size();
+           });
+  }
+
+  std::vector<JudgedNumber> judged_numbers() const {
+    const bool has_other_units = is_in_other_units(site_);
+    std::vector<JudgedNumber> numbers;
+    for (const SiteNumber& number : site_.numbers) {
+      const bool is_shifted = number.match == DigitMatch::shifted;
+      const bool is_of_units =
+          has_other_units && (is_shifted || !have_near_exponents(digits_at(number), published(number)));
+      const Grade grade = is_of_units && is_shifted ? Grade::right : lint::grade_of(set_, number);
+      if (is_by_expression(number)) {
+        numbers.push_back(by_expression(number.constant, number_of(digits_at(number)), grade).value());
+        continue;
+      }
+      std::vector<std::size_t> places(number.repeats + 1);
+      std::iota(places.begin(), places.end(), number.literal - number.repeats);
+      numbers.push_back(judged_number(places, number.constant, grade));
+      if (is_of_units) numbers.back().evidence = NumberEvidence::none;
+    }
+    return numbers;
+  }
+
+  /// Whether the digits do not show which constant a number is: two slips in three digits.
+  bool is_by_expression(const SiteNumber& number) const {
+    return number.match == DigitMatch::edited && !number.variant &&
+           published(number).text.size() < least_digits_to_vary;
+  }
+
+  /// A number at these literals. Its place is the last one.
+  JudgedNumber judged_number(const std::vector<std::size_t>& places, std::size_t constant,
+                             Grade grade) const {
+    const auto place = [&](std::size_t i) { return NumberPlace{at(i).offset, at(i).length}; };
+    JudgedNumber number{place(places.back()), constant, grade};
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) number.copies.push_back(place(places[i]));
+    return number;
+  }
+
+  /// The number that is a constant by the expression alone. Empty if no number near has this value.
+  std::optional<JudgedNumber> by_expression(std::size_t constant, double value, Grade grade) const {
+    const FoundLiterals found = reader_.literals_of(constant, value);
+    if (found.literals.empty()) return std::nullopt;
+    JudgedNumber number = judged_number(found.literals, constant, grade);
+    number.evidence = found.are_certain ? NumberEvidence::expression : NumberEvidence::none;
+    return number;
+  }
+
+  /// The number that replaces a constant: in the published order, or by the expression.
+  std::optional<JudgedNumber> replacing(const ExpressionMatch& match,
+                                        const std::optional<std::size_t>& in_order) const {
+    const std::size_t constant = *match.replaced;
+    const double value = std::abs(match.constants[constant]);
+    const Grade grade = grade_of_other(set_.constants[constant], value);
+    return in_order ? judged_number({*in_order}, constant, grade) : by_expression(constant, value, grade);
+  }
+
+  /// If the published order is kept and one constant inside it is missing, the only number between its
+  /// neighbours replaces it: vec4(1, 0.0425, 1.0, -0.04).
+  std::optional<std::size_t> literal_in_order() const {
+    constexpr std::size_t least_constants = 5;  // with fewer, the order says little
+    const std::vector<std::size_t>& missing = reader_.missing();
+    if (missing.size() != 1 || set_.constants.size() < least_constants) return std::nullopt;
+    for (std::size_t i = 1; i < site_.numbers.size(); ++i)
+      if (site_.numbers[i].constant <= site_.numbers[i - 1].constant) return std::nullopt;
+    const std::size_t place = missing.front();
+    if (place == 0 || place + 1 == set_.constants.size()) return std::nullopt;
+    const std::size_t before = site_.numbers[place - 1].literal, behind = site_.numbers[place].literal;
+    const Literal& literal = at(before + 1);
+    if (behind != before + 2 || literal.is_in_comment != at(before).is_in_comment ||
+        !stands_alone(text_.text, literal))
+      return std::nullopt;
+    return before + 1;
+  }
+
+  /// The form with this number in place of the only missing constant.
+  ExpressionMatch replaced_by(std::size_t literal) const {
+    const std::size_t constant = reader_.missing().front();
+    std::vector<double> found = reader_.constants();
+    found[constant] = std::copysign(number_of(at(literal).digits), found[constant]);
+    return {.form = set_.formula, .constants = found, .replaced = constant};
+  }
+
+  const ScannedText& text_;
+  const KnownSet& set_;
+  const Site& site_;
+  SiteReader reader_;
+  TextMemory& memory_;
+};
+
+}  // namespace
+
+Reading reading_of(const ScannedText& program, const KnownSet& set, const Site& site, TextMemory& memory) {
+  return SiteReader(program, set, site, memory).reading();
+}
+
+std::optional<JudgedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,
+                                     const Site& site, const EffectLimits& limits, TextMemory& memory) {
+  return SiteJudge(text, program, set, site, memory).judge(limits);
+}
+
+}  // namespace shadefit::lint
