@@ -5,8 +5,7 @@
 #include <iterator>
 
 #include "fit/support/user_error.hpp"
-#include "scene/files/limits.hpp"
-#include "scene/gltf/extension.hpp"
+#include "scene/files/uri.hpp"
 #include "scene/gltf/read_gltf.hpp"
 #include "scene/mtl/read_mtl.hpp"
 

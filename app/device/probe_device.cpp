@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "app/options/bench_options.hpp"
-#include "bench/device/half_probe.hpp"
 #include "bench/device/probe.hpp"
 #include "fit/support/hex_float.hpp"
 #include "reports/table/table.hpp"

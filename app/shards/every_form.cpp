@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/shards/kept_sweep.hpp"
-#include "bench/exhaustive/shared_truth.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"

@@ -34,11 +34,10 @@ bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& op
 /// The form on a graphics device instead of this processor.
 void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity, const SweptForm& chosen,
                    const MeasuredDevice& on) {
-  const device::FormSweep sweep(
-      on.device, device::form_function(*chosen.target, *chosen.form, *chosen.constants), on.model);
-  sweep.take_over(subject);
+  device::sweep_on_device(subject, on.device,
+                          device::form_function(*chosen.target, *chosen.form, *chosen.constants), on.model);
   identity.width = "vulkan";
-  identity.device = sweep.device();
+  identity.device = device::name_with_driver(on.device->vulkan.info());
   identity.bound_from = device::numbers_of(on.model);
 }
 

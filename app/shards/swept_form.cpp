@@ -39,7 +39,7 @@ const forms::Constants& find_constants(const forms::FormEntry& form, const std::
 }
 
 /// The kernel of a form. Throws UserError for a degree that the form does not have.
-const forms::CompiledForm find_kernel(const std::vector<forms::CompiledForm>& all, std::string_view form,
+const forms::CompiledForm find_kernel(std::span<const forms::CompiledForm> all, std::string_view form,
                                       int exp2_degree) {
   std::vector<int> known;
   for (const forms::CompiledForm& compiled : all) {
@@ -85,11 +85,11 @@ std::vector<float> in_float(const std::vector<double>& numbers) {
 }
 
 bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& chosen) {
-  const auto form = find_kernel(bench::compiled_for(chosen.width), chosen.form->id, chosen.exp2_degree);
+  const auto form = find_kernel(forms::compiled_forms(chosen.width), chosen.form->id, chosen.exp2_degree);
   const auto exact = std::find_if(catalogue.forms.begin(), catalogue.forms.end(), [&](const auto& other) {
     return other.target == chosen.target->id;  // the first form of a target is the target itself
   });
-  const auto truth = find_kernel(forms::scalar_forms(), exact->id, 0);
+  const auto truth = find_kernel(forms::compiled_forms(forms::Width::scalar), exact->id, 0);
   const auto parameters = in_float(forms::parameters_of(*chosen.target, *chosen.constants));
   const auto given = forms::parameters_of(*chosen.target, exact->constants.front());
   return {[=](const float* in, float* out, std::size_t count) {

@@ -4,15 +4,21 @@
 #include <functional>
 #include <span>
 
-#include "bench/device/evaluating_shader.hpp"
+#include "bench/device/spirv.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "reports/code/shader_code.hpp"
 
 /// A function that is evaluated on a device.
 namespace shadefit::device {
 
+/// Where the arguments of a function come from.
+enum class Arguments {
+  patterns,  ///< thread i has one argument: the float with bit pattern i + the first push word
+  input,     ///< thread t reads n arguments from word n i of the input on; i = t + the first push word
+};
+
 /// A function as `emit` writes it, loaded on a device. The device must outlive it. In half, which only GLSL
-/// has, each operation has 16 bits: see `with_halves`.
+/// has, each operation has 16 bits: see `ShaderCompiler::spirv`.
 class Evaluator {
  public:
   Evaluator(VulkanDevice& device, const ShaderCompiler& compiler, const ShaderFunction& function,

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
-#include <utility>
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/form_bound.hpp"
 
 namespace shadefit::device {
+namespace {
 
-struct FormSweep::Parts {
-  Parts(std::shared_ptr<SweptDevice> shared, const FormFunction& form, const GpuModel& model)
+/// A form on a device, with its bound.
+struct SweptForm {
+  SweptForm(std::shared_ptr<SweptDevice> shared, const FormFunction& form, const GpuModel& model)
       : device(std::move(shared)),
         evaluator(device->vulkan, compiler, form.function, ShaderLanguage::glsl, Arguments::patterns),
         in_double(form.function),
@@ -53,21 +53,16 @@ struct FormSweep::Parts {
   std::vector<double> bounds;
 };
 
-FormSweep::FormSweep(std::shared_ptr<SweptDevice> device, const FormFunction& form, const GpuModel& model)
-    : parts_(std::make_shared<Parts>(std::move(device), form, model)) {}
+}  // namespace
 
-void FormSweep::take_over(bench::FloatSubject& subject) const {
-  subject.prepare = [parts = parts_](const bench::Stretch& stretch) { parts->prepare(stretch); };
-  subject.form = [parts = parts_](const float* in, float* out, std::size_t count) {
-    parts->form(in, out, count);
+void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> device,
+                     const FormFunction& form, const GpuModel& model) {
+  const auto swept = std::make_shared<SweptForm>(std::move(device), form, model);
+  subject.prepare = [swept](const bench::Stretch& stretch) { swept->prepare(stretch); };
+  subject.form = [swept](const float* in, float* out, std::size_t count) { swept->form(in, out, count); };
+  subject.bound = [swept](const float* in, double* middle, double* radius, std::size_t count) {
+    swept->bound(in, middle, radius, count);
   };
-  subject.bound = [parts = parts_](const float* in, double* middle, double* radius, std::size_t count) {
-    parts->bound(in, middle, radius, count);
-  };
-}
-
-std::string FormSweep::device() const {
-  return name_with_driver(parts_->device->vulkan.info());
 }
 
 std::vector<double> numbers_of(const GpuModel& model) {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,22 +22,11 @@ struct SweptDevice {
   std::vector<std::uint32_t> results = {};
 };
 
-/// A form on a device, with the error bound that follows from the errors of the device's functions.
-class FormSweep {
- public:
-  /// Several forms may share a device, if each is prepared and looked at before the next.
-  FormSweep(std::shared_ptr<SweptDevice> device, const FormFunction& form, const GpuModel& model);
-
-  /// Replaces the form of a subject, and adds the bound. The subject's floats lie in [0, 1].
-  void take_over(bench::FloatSubject& subject) const;
-
-  /// The name of the device and of its driver.
-  std::string device() const;
-
- private:
-  struct Parts;
-  std::shared_ptr<Parts> parts_;
-};
+/// Replaces the form of a subject by one on a device, and adds the bound that follows from the errors of the
+/// device's functions. The subject's floats lie in [0, 1]. Several forms may share a device, if each is
+/// prepared and looked at before the next.
+void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> device,
+                     const FormFunction& form, const GpuModel& model);
 
 /// The numbers of a model; they are part of a sweep's identity.
 std::vector<double> numbers_of(const GpuModel& model);

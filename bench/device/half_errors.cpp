@@ -1,7 +1,6 @@
 #include "bench/device/half_errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>

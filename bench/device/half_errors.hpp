@@ -32,9 +32,9 @@ using TruthOfCosines = std::function<void(const float* in, double* out, std::siz
 /// Throws UserError if the device has no half.
 void require_half(const DeviceInfo& info);
 
-/// A function of one cosine, each operation in 16 bits: see `with_halves`. The bound takes the device's
-/// functions as errors of floats that are rounded to half or cut off. Throws UserError if the device has no
-/// half.
+/// A function of one cosine, each operation in 16 bits: see `ShaderCompiler::spirv`. The bound takes the
+/// device's functions as errors of floats that are rounded to half or cut off. Throws UserError if the device
+/// has no half.
 HalfErrors errors_in_half(VulkanDevice& device, const ShaderFunction& function, const TruthOfCosines& truth,
                           const GpuModel& model);
 

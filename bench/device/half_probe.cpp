@@ -1,5 +1,3 @@
-#include "bench/device/half_probe.hpp"
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +5,7 @@
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/half_errors.hpp"
+#include "bench/device/probe.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/narrow_result.hpp"
 

@@ -1,4 +1,3 @@
-#include <memory>
 
 #include "bench/device/spirv.hpp"
 #include "bench/device/vulkan_device.hpp"
@@ -49,10 +48,7 @@ ShaderCompiler::ShaderCompiler() {
   refuse();
 }
 ShaderCompiler::~ShaderCompiler() = default;
-std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string&, ShaderLanguage) const {
-  refuse();
-}
-std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>&) {
+std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string&, ShaderLanguage, ShaderPrecision) const {
   refuse();
 }
 

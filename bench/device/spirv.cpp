@@ -14,6 +14,15 @@ namespace {
   throw std::logic_error("glslang: " + what + ": " + log + "\n" + source);
 }
 
+std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>& spirv) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  optimizer.RegisterPass(spvtools::CreateConvertRelaxedToHalfPass());
+  std::vector<std::uint32_t> words;
+  if (!optimizer.Run(spirv.data(), spirv.size(), &words))
+    throw std::logic_error("the shader has no version in half");
+  return words;
+}
+
 }  // namespace
 
 ShaderCompiler::ShaderCompiler() {
@@ -24,7 +33,8 @@ ShaderCompiler::~ShaderCompiler() {
   glslang::FinalizeProcess();
 }
 
-std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string& source, ShaderLanguage language) const {
+std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string& source, ShaderLanguage language,
+                                                 ShaderPrecision precision) const {
   const bool is_hlsl = language == ShaderLanguage::hlsl;
   constexpr int glsl_version = 450, vulkan_version = 100;
   auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
@@ -46,16 +56,7 @@ std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string& source, Shad
   if (!program.link(messages)) refuse("the shader does not link", program.getInfoLog(), source);
   std::vector<std::uint32_t> words;
   glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words);
-  return words;
-}
-
-std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>& spirv) {
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-  optimizer.RegisterPass(spvtools::CreateConvertRelaxedToHalfPass());
-  std::vector<std::uint32_t> words;
-  if (!optimizer.Run(spirv.data(), spirv.size(), &words))
-    throw std::logic_error("the shader has no version in half");
-  return words;
+  return precision == ShaderPrecision::float16 ? with_halves(words) : words;
 }
 
 }  // namespace shadefit::device

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/code/shader_code.hpp"
+
 /// Shaders as SPIR-V, compiled by glslang.
 namespace shadefit::device {
 
@@ -19,11 +21,12 @@ class ShaderCompiler {
 
   /// Compiles a shader with the entry point `main`. It is not optimised: the driver does that. Throws
   /// std::logic_error with glslang's messages if the source is not valid, because the sources are ours.
-  std::vector<std::uint32_t> spirv(const std::string& source, ShaderLanguage language) const;
+  ///
+  /// A shader in float16 gets halves for its `mediump` numbers (RelaxedPrecision in SPIR-V). For a driver
+  /// `mediump` is only a hint, which most ignore. The emitted text stays as it is. The device must have
+  /// halves.
+  std::vector<std::uint32_t> spirv(const std::string& source, ShaderLanguage language,
+                                   ShaderPrecision precision = ShaderPrecision::float32) const;
 };
-
-/// The shader with halves for its `mediump` numbers (RelaxedPrecision in SPIR-V). For a driver `mediump` is
-/// only a hint, which most ignore. The emitted text stays as it is. The device must have halves.
-std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>& spirv);
 
 }  // namespace shadefit::device

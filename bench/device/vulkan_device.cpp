@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <vulkan/vulkan_raii.hpp>
@@ -11,7 +10,6 @@
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
-
 namespace {
 
 constexpr std::uint32_t api = VK_API_VERSION_1_1;
@@ -23,18 +21,10 @@ std::string version_text(std::uint32_t version) {
 }
 
 std::string kind_of(vk::PhysicalDeviceType type) {
-  switch (type) {
-    case vk::PhysicalDeviceType::eDiscreteGpu:
-      return "discrete GPU";
-    case vk::PhysicalDeviceType::eIntegratedGpu:
-      return "integrated GPU";
-    case vk::PhysicalDeviceType::eVirtualGpu:
-      return "virtual GPU";
-    case vk::PhysicalDeviceType::eCpu:
-      return "CPU";
-    default:
-      return "other";
-  }
+  constexpr std::array names{"other", "integrated GPU", "discrete GPU", "virtual GPU", "CPU"};
+  static_assert(names.size() == 1 + static_cast<std::size_t>(vk::PhysicalDeviceType::eCpu));
+  const auto place = static_cast<std::size_t>(type);
+  return names[place < names.size() ? place : 0];
 }
 
 /// The queue family that can compute, if there is one.

@@ -88,14 +88,4 @@ class VulkanDevice {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The longest time of a dispatch in seconds. Drivers stop one that takes seconds; a desktop stutters
-/// earlier.
-inline constexpr double longest_dispatch = 0.2;
-
-/// Runs `count` items in dispatches of at most `most` items, each well below `longest_dispatch`. The first is
-/// small; the times so far give the size of the next. `run` dispatches [from, from + n) and returns its
-/// seconds.
-void in_short_dispatches(std::uint64_t count, std::uint64_t most,
-                         const std::function<double(std::uint64_t from, std::uint64_t n)>& run);
-
 }  // namespace shadefit::device

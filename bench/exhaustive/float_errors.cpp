@@ -9,11 +9,6 @@
 #include "fit/support/parallel.hpp"
 
 namespace shadefit::bench {
-
-std::uint64_t FloatErrors::count() const {
-  return std::accumulate(ulps.begin(), ulps.end(), nans);
-}
-
 namespace {
 
 /// A maximum with the smallest place of it.
@@ -24,24 +19,6 @@ void keep_larger(T& most, std::uint32_t& at, T value, std::uint32_t value_at) {
     at = value_at;
   }
 }
-
-}  // namespace
-
-void include(FloatErrors& into, const FloatErrors& more) {
-  keep_larger(into.max_abs_error, into.max_abs_error_at, more.max_abs_error, more.max_abs_error_at);
-  keep_larger(into.max_ulps, into.max_ulps_at, more.max_ulps, more.max_ulps_at);
-  for (std::size_t i = 0; i < into.ulps.size(); ++i) into.ulps[i] += more.ulps[i];
-  into.nans += more.nans;
-  into.above_one += more.above_one;
-  into.below_zero += more.below_zero;
-  into.beyond += more.beyond;
-  std::array<std::uint32_t, 2 * std::tuple_size_v<decltype(into.beyond_at)>> places{};
-  std::merge(into.beyond_at.begin(), into.beyond_at.end(), more.beyond_at.begin(), more.beyond_at.end(),
-             places.begin());
-  std::copy_n(places.begin(), into.beyond_at.size(), into.beyond_at.begin());
-}
-
-namespace {
 
 /// The number of floats per block: small enough that they, their values and the reference stay in the first
 /// cache.
@@ -83,6 +60,24 @@ void look_at(const Block& floats, std::size_t count, std::uint32_t first, FloatE
 }
 
 }  // namespace
+
+std::uint64_t FloatErrors::count() const {
+  return std::accumulate(ulps.begin(), ulps.end(), nans);
+}
+
+void include(FloatErrors& into, const FloatErrors& more) {
+  keep_larger(into.max_abs_error, into.max_abs_error_at, more.max_abs_error, more.max_abs_error_at);
+  keep_larger(into.max_ulps, into.max_ulps_at, more.max_ulps, more.max_ulps_at);
+  for (std::size_t i = 0; i < into.ulps.size(); ++i) into.ulps[i] += more.ulps[i];
+  into.nans += more.nans;
+  into.above_one += more.above_one;
+  into.below_zero += more.below_zero;
+  into.beyond += more.beyond;
+  std::array<std::uint32_t, 2 * std::tuple_size_v<decltype(into.beyond_at)>> places{};
+  std::merge(into.beyond_at.begin(), into.beyond_at.end(), more.beyond_at.begin(), more.beyond_at.end(),
+             places.begin());
+  std::copy_n(places.begin(), into.beyond_at.size(), into.beyond_at.begin());
+}
 
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch) {
   Block floats;

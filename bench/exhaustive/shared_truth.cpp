@@ -1,11 +1,10 @@
-#include "bench/exhaustive/shared_truth.hpp"
-
 #include <bit>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "bench/exhaustive/float_errors.hpp"
 #include "fit/support/parallel.hpp"
 
 namespace shadefit::bench {

@@ -11,7 +11,6 @@
 #include "fit/support/hex_float.hpp"
 #include "fit/support/json_document.hpp"
 #include "reports/io/digest.hpp"
-#include "reports/io/files.hpp"
 #include "reports/io/output.hpp"
 #include "reports/io/own_fields.hpp"
 

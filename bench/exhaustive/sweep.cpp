@@ -53,12 +53,6 @@ void go_on_together(std::span<const RunningSweep> all, unsigned threads, const s
   }
 }
 
-void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
-           std::uint32_t batch) {
-  const RunningSweep running{&sweep, &subject};
-  go_on_together(std::span(&running, 1), threads, between, batch);
-}
-
 WorkIdentity identity_in_words(const SweepIdentity& identity) {
   return {{version_field, identity.version},
           {"form", identity.form},

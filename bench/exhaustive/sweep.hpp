@@ -47,18 +47,15 @@ Sweep begin_sweep(const SweepIdentity& identity, const Shard& shard);
 /// threads.
 inline constexpr std::uint32_t usual_batch = 1U << 22;
 
-/// Tests the remaining floats. `between` is called after each batch, when the sweep is consistent: it may
-/// save it, and end the work by throwing.
-void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
-           std::uint32_t batch = usual_batch);
-
 /// A sweep and what it compares.
 struct RunningSweep {
   Sweep* sweep;
   const FloatSubject* subject;
 };
 
-/// The same for several sweeps of one stretch, batch by batch, so that they can share what a batch needs.
+/// Tests the remaining floats of several sweeps of one stretch, batch by batch, so that they can share what a
+/// batch needs. `between` is called after each batch, when the sweeps are consistent: it may save them, and
+/// end the work by throwing.
 void go_on_together(std::span<const RunningSweep> all, unsigned threads, const std::function<void()>& between,
                     std::uint32_t batch = usual_batch);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -133,17 +132,10 @@ class Places {
   std::vector<double> target_;
 };
 
-struct Format {
-  std::string_view name;
-  int digits;  ///< of the significand, in bits
-};
-constexpr Format half_format{"half", 11};
-constexpr Format float_format{"float", 24};
-constexpr Format double_format{"double", 53};
-
 /// The distance between the numbers of a format around a normal x.
-long double ulp_of(long double x, const Format& format) {
-  return std::ldexp(1.0L, std::ilogb(x) - format.digits + 1);
+template <class R>
+long double ulp_of(long double x) {
+  return std::ldexp(1.0L, std::ilogb(x) - std::numeric_limits<R>::digits + 1);
 }
 
 struct Errors {
@@ -152,7 +144,7 @@ struct Errors {
 };
 
 template <class R>
-Errors errors_of(const Places<R>& places, const std::vector<double>& results, const Format& format) {
+Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
   Errors errors;
   Effect effect;
   long double square = 0;
@@ -163,7 +155,7 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results, co
     square += difference * difference;
     errors.absolute = std::max(errors.absolute, off[i]);
     if (std::fabs(truth) >= static_cast<long double>(visible)) {
-      const long double ulps = std::fabs(difference) / ulp_of(truth, format);
+      const long double ulps = std::fabs(difference) / ulp_of<R>(truth);
       errors.ulps = std::max(errors.ulps, static_cast<double>(ulps));
     }
     effect.show(static_cast<double>(truth), results[i], {{"c = ", places.cosine(i)}});
@@ -197,38 +189,36 @@ class Accuracy {
  public:
   Table table() && { return std::move(table_); }
 
-  void append(const Target& target, const FormEntry& first, const std::vector<const FormEntry*>& forms,
-              const Checkpoint& checkpoint) {
+  void append(const Target& target, const Catalogue& all, const Checkpoint& checkpoint) {
     const Grid grid = grid_of(target);
-    const Kernel<long double> exact = library_form(first.id).in_long_double;
+    const Kernel<long double> exact = library_form(reference_of(all, target.id).id).in_long_double;
     const Places<Eigen::half> halves(grid, target, exact);
     const Places<float> floats(grid, target, exact);
     const Places<double> doubles(grid, target, exact);
-    for (const FormEntry* form : forms) {
-      for (const Constants& constants : form->constants) {
+    for (const FormEntry& form : all.forms) {
+      if (form.target != target.id) continue;
+      for (const Constants& constants : form.constants) {
         checkpoint();
-        const Row row{*form, constants, pair_exp2(target, form->id, constants, checkpoint)};
-        const LibraryForm& library = library_form(form->id);
-        const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic,
-                             const Format& format, int degree) {
+        const Row row{form, constants, pair_exp2(target, form.id, constants, checkpoint)};
+        const LibraryForm& library = library_form(form.id);
+        const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic, int degree) {
           checkpoint();
-          append_row(row, arithmetic, degree, errors_of(places, places.results(kernel, constants), format),
+          append_row(row, arithmetic, degree, errors_of(places, places.results(kernel, constants)),
                      places.is_of_lights());
         };
-        add(doubles, library.in_double, "double", double_format, 0);
-        add(floats, library.in_float, "float", float_format, 0);
-        add(halves, library.in_half, "half", half_format, 0);
+        add(doubles, library.in_double, "double", 0);
+        add(floats, library.in_float, "float", 0);
+        add(halves, library.in_half, "half", 0);
         for (const CompiledForm& compiled : Tables::sse2) {
-          if (compiled.form != form->id || compiled.exp2_degree != 0 || form->function == Function::none)
+          if (compiled.form != form.id || compiled.exp2_degree != 0 || form.function == Function::none)
             continue;
-          add(doubles, compiled.in_double, "double SSE2", double_format, 0);
-          add(floats, compiled.in_float, "float SSE2", float_format, 0);
+          add(doubles, compiled.in_double, "double SSE2", 0);
+          add(floats, compiled.in_float, "float SSE2", 0);
         }
         for (const CompiledForm& compiled : Tables::scalar) {
-          if (compiled.form != form->id || compiled.exp2_degree == 0) continue;
-          if (compiled.in_double != nullptr)
-            add(doubles, compiled.in_double, "double", double_format, compiled.exp2_degree);
-          add(floats, compiled.in_float, "float", float_format, compiled.exp2_degree);
+          if (compiled.form != form.id || compiled.exp2_degree == 0) continue;
+          if (compiled.in_double != nullptr) add(doubles, compiled.in_double, "double", compiled.exp2_degree);
+          add(floats, compiled.in_float, "float", compiled.exp2_degree);
         }
       }
     }
@@ -236,10 +226,7 @@ class Accuracy {
 
  private:
   static const LibraryForm& library_form(std::string_view id) {
-    for (const LibraryForm& form : library_forms()) {
-      if (form.form == id) return form;
-    }
-    throw std::logic_error("no form " + std::string(id));
+    return *std::ranges::find(library_forms(), id, &LibraryForm::form);
   }
 
   void append_row(const Row& row, std::string_view arithmetic, int degree, const Errors& errors,
@@ -253,7 +240,7 @@ class Accuracy {
     std::string exp2;
     if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
     const bool is_paired = row.pairing && row.pairing->degree == degree;
-    const bool is_float = arithmetic == float_format.name;
+    const bool is_float = arithmetic == "float";
     table_.rows.push_back(
         {std::string(row.form.target), std::string(row.form.id), row.constants.id, values_of(row.constants),
          exp2, std::string(arithmetic), number(errors.absolute, digits),
@@ -277,12 +264,8 @@ Table accuracy_table(const Checkpoint& checkpoint, const std::function<void(doub
   const Catalogue all = catalogue();
   Accuracy accuracy;
   for (const Target& target : all.targets) {
-    std::vector<const FormEntry*> forms;
-    for (const FormEntry& form : all.forms) {
-      if (form.target == target.id) forms.push_back(&form);
-    }
     progress(static_cast<double>(&target - all.targets.data()) / static_cast<double>(all.targets.size()));
-    accuracy.append(target, *forms.front(), forms, checkpoint);
+    accuracy.append(target, all, checkpoint);
   }
   return std::move(accuracy).table();
 }

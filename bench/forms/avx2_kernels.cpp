@@ -3,14 +3,8 @@
 
 /// Registers of AVX2.
 namespace shadefit::forms {
-namespace {
 
-using Architecture = xsimd::fma3<xsimd::avx2>;
-constexpr auto table =
-    table_of<xsimd::batch<float, Architecture>, xsimd::batch<double, Architecture>>(AllForms());
-
-}  // namespace
-
-constinit const std::span<const CompiledForm> Tables::avx2(table);
+constinit const std::span<const CompiledForm> Tables::avx2(
+    table<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>, xsimd::batch<double, xsimd::fma3<xsimd::avx2>>>);
 
 }  // namespace shadefit::forms

@@ -3,14 +3,8 @@
 
 /// Registers of AVX-512.
 namespace shadefit::forms {
-namespace {
 
-using Architecture = xsimd::avx512bw;
-constexpr auto table =
-    table_of<xsimd::batch<float, Architecture>, xsimd::batch<double, Architecture>>(AllForms());
-
-}  // namespace
-
-constinit const std::span<const CompiledForm> Tables::avx512(table);
+constinit const std::span<const CompiledForm> Tables::avx512(
+    table<xsimd::batch<float, xsimd::avx512bw>, xsimd::batch<double, xsimd::avx512bw>>);
 
 }  // namespace shadefit::forms

@@ -2,9 +2,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include <concepts>
 #include <string_view>
-#include <type_traits>
 
 #include "approx/exponent_bits.hpp"
 #include "approx/scalar.hpp"

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "fit/exp2/pair_for_exp2.hpp"
 #include "fit/fit.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/verdicts/published_curve.hpp"
 
 namespace shadefit::forms {
@@ -20,16 +19,7 @@ NamedNumber printed_number(std::string_view name, std::string_view decimal) {
 
 /// A fitted number rounded to the ten digits that are the same on every machine, so that results are too.
 NamedNumber computed_number(std::string_view name, double value) {
-  char digits[32];
-  const char* end =
-      std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::general, 10).ptr;
-  return printed_number(name, {digits, static_cast<std::size_t>(end - digits)});
-}
-
-const FittableFamily& family_of(std::string_view id) {
-  const FittableFamily* family = find_family(id);
-  if (family == nullptr) throw std::logic_error("no family " + std::string(id));
-  return *family;
+  return printed_number(name, decimal(value, 10));
 }
 
 /// The published constants of a family, each set of numbers once.
@@ -60,7 +50,7 @@ std::vector<std::pair<std::string, Metric>> objectives() {
 /// The published constants of a family and the best ones. A fit without an answer is left out, for example if
 /// the minimax relative error of a lobe's form is not attained.
 std::vector<Constants> constants_of(std::string_view id) {
-  const FittableFamily& family = family_of(id);
+  const FittableFamily& family = *find_family(id);
   std::vector<Constants> all = published_of(family);
   for (const auto& [objective, metric] : objectives()) {
     const Fit fit = family.fit(Setting(fixed_exponent), metric);
@@ -90,13 +80,11 @@ void append_conventions(std::vector<Constants>& all) {
 }
 
 /// The constants of a form that another form of the same curve uses too.
-std::vector<Constants> telling(const std::vector<Constants>& all) {
-  std::vector<Constants> some;
-  for (const Constants& constants : all) {
-    if (constants.id == "published-sg-offset-mean" || constants.id == "minimax-absolute")
-      some.push_back(constants);
-  }
-  return some;
+std::vector<Constants> telling(std::vector<Constants> all) {
+  std::erase_if(all, [](const Constants& constants) {
+    return constants.id != "published-sg-offset-mean" && constants.id != "minimax-absolute";
+  });
+  return all;
 }
 
 std::vector<Constants> nothing() {
@@ -134,19 +122,13 @@ void append_gloss(Catalogue& all) {
                          1,
                          {printed_number("d", "10"), printed_number("f", "1")}});
   all.forms.push_back(entry<GlossPower>(id, "pow(c, exp2(d g + f))", nothing()));
-  std::vector<Constants> constants;
-  for (const auto& [name, origin, offset] :
-       {std::array<std::string_view, 3>{"plain", "Lagarde 2012", "0"},
-        std::array<std::string_view, 3>{"published-sg-offset-mean", "Lagarde 2012",
-                                        sg_offset_published[0].printed},
-        std::array<std::string_view, 3>{"published-sg-offset-limit", "Lagarde 2012",
-                                        sg_offset_published[1].printed}}) {
-    constants.push_back({std::string(name),
-                         std::string(origin),
-                         {printed_number("m", "1.528766"), printed_number("x", offset)}});
-  }
-  all.forms.push_back(
-      entry<GlossGaussian>(id, "exp2(A c - A), A = exp2(d g + m) + x/ln 2", std::move(constants)));
+  const auto with_offset = [](const char* name, std::string_view x) -> Constants {
+    return {name, "Lagarde 2012", {printed_number("m", "1.528766"), printed_number("x", x)}};
+  };
+  all.forms.push_back(entry<GlossGaussian>(
+      id, "exp2(A c - A), A = exp2(d g + m) + x/ln 2",
+      {with_offset("plain", "0"), with_offset("published-sg-offset-mean", sg_offset_published[0].printed),
+       with_offset("published-sg-offset-limit", sg_offset_published[1].printed)}));
 }
 
 void append_schlick(Catalogue& all) {
@@ -155,7 +137,7 @@ void append_schlick(Catalogue& all) {
   all.forms.push_back(entry<SchlickPower>(id, "pow(1 - c, 5)", nothing()));
   all.forms.push_back(entry<SchlickMultiplied>(id, "(1 - c)^5 by multiplications", nothing()));
   const auto append = [&]<class Form>(Form) {
-    all.forms.push_back(entry<Form>(id, to_text(family_of(Form::id).form()), constants_of(Form::id)));
+    all.forms.push_back(entry<Form>(id, to_text(find_family(Form::id)->form()), constants_of(Form::id)));
   };
   append(FresnelOneTermForm());
   append(FresnelQuadraticForm());
@@ -197,6 +179,15 @@ void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
   all.forms.push_back(entry<PhongGaussian>(id, "exp2((A l, -A).(n, 1)), A = (k + x)/ln 2", telling(offsets)));
 }
 
+/// The first item with such a member.
+template <class Item>
+const Item& first_of(const std::vector<Item>& items, std::string_view Item::*member,
+                     std::string_view wanted) {
+  const auto found = std::ranges::find(items, wanted, member);
+  if (found == items.end()) throw std::logic_error("the catalogue lacks " + std::string(wanted));
+  return *found;
+}
+
 }  // namespace
 
 std::array<double, 3> spread_direction(std::size_t i) {
@@ -235,10 +226,15 @@ std::vector<double> parameters_of(const Target& target, const Constants& constan
 }
 
 const Target& target_of(const Catalogue& catalogue, std::string_view id) {
-  for (const Target& target : catalogue.targets) {
-    if (target.id == id) return target;
-  }
-  throw std::logic_error("no target " + std::string(id));
+  return first_of(catalogue.targets, &Target::id, id);
+}
+
+const FormEntry& reference_of(const Catalogue& catalogue, std::string_view target) {
+  return first_of(catalogue.forms, &FormEntry::target, target);
+}
+
+bool is_wanted(const std::vector<std::string>& targets, std::string_view target) {
+  return targets.empty() || std::ranges::find(targets, target) != targets.end();
 }
 
 }  // namespace shadefit::forms

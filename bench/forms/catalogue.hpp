@@ -60,6 +60,12 @@ std::vector<double> parameters_of(const Target& target, const Constants& constan
 /// The target with that id. Throws std::logic_error if there is none.
 const Target& target_of(const Catalogue& catalogue, std::string_view id);
 
+/// The form that is the target itself: the first of its forms.
+const FormEntry& reference_of(const Catalogue& catalogue, std::string_view target);
+
+/// Whether a target is among those that are asked for; without any, all are.
+bool is_wanted(const std::vector<std::string>& targets, std::string_view target);
+
 /// The i-th of N evenly spread directions in the hemisphere around z. It uses only additions, products and
 /// quotients, so it is the same on every machine.
 std::array<double, 3> spread_direction(std::size_t i);

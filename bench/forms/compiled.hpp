@@ -57,6 +57,10 @@ consteval auto table_of(FormList<Forms...>) {
   return table;
 }
 
+/// The same, as a constant.
+template <class Floats, class Doubles>
+inline constexpr auto table = table_of<Floats, Doubles>(AllForms());
+
 /// The tables of the units, each in one of its own.
 struct Tables {
   static const std::span<const CompiledForm> scalar, sse2, avx2, avx512;

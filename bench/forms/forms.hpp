@@ -51,29 +51,20 @@ struct AsGiven {
 
 struct LobePower : AsGiven<1, Function::pow> {
   static constexpr const char* id = "lobe-pow";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return power_lobe(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return power_lobe(c, p[0]); }
 };
 
 /// c^k as a GPU computes it.
 struct LobeExp2Log2 : AsGiven<1, Function::pow> {
   static constexpr const char* id = "lobe-exp2-log2";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return power_by_exp2(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return power_by_exp2(c, p[0]); }
 };
 
 /// c^16 by four squarings; k has to be 16.
 struct LobeSquarings : AsGiven<1, Function::none> {
   static constexpr const char* id = "lobe-squarings";
   static constexpr int exponent = 16;
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>&) const {
-    return power(c, exponent);
-  }
+  auto operator()(const auto& c, const auto&) const { return power(c, exponent); }
 };
 
 /// exp2(A c - A), A = (k + x)/ln 2.
@@ -86,17 +77,13 @@ struct LobeGaussian {
   static std::array<T, 1> prepared(const std::array<T, 2>& p) {
     return {base_two_power(T(p[0] + p[1]))};
   }
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return gaussian_lobe_base_two(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return gaussian_lobe_base_two(c, p[0]); }
 };
 
 /// exp2(A (c - 1)): the same, robust near the peak.
 struct LobeGaussianOfDifference : LobeGaussian {
   static constexpr const char* id = "sg-difference";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
+  auto operator()(const auto& c, const auto& p) const {
     return gaussian_lobe_base_two_of_difference(c, p[0]);
   }
 };
@@ -120,10 +107,7 @@ struct LobeScaledGaussian {
 /// The Phong lobe by Blinn's, ((1 + c)/2)^(x k/2).
 struct LobeBlinn : AsGiven<2, Function::pow> {  // k, x
   static constexpr const char* id = "phong-blinn";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 2>& p) const {
-    return blinn_lobe_of_cosine(c, p[0], p[1]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return blinn_lobe_of_cosine(c, p[0], p[1]); }
 };
 
 // The lobe with k = 2^(d g + f), g = code/255: d, f, then the form's.
@@ -144,8 +128,7 @@ struct GlossPower {
   static std::array<T, 2> prepared(const std::array<T, 2>& p) {
     return {p[0] / largest_code<T>(), p[1]};
   }
-  template <class T>
-  T operator()(const T& c, const T& code, const std::array<T, 2>& p) const {
+  auto operator()(const auto& c, const auto& code, const auto& p) const {
     return power_lobe(c, decode_gloss(code, p[0], p[1]));
   }
 };
@@ -164,8 +147,7 @@ struct GlossGaussian {
   static T base_two(const T& code, const std::array<T, 3>& p) {
     return decode_gloss(code, p[0], p[1]) + p[2];
   }
-  template <class T>
-  T operator()(const T& c, const T& code, const std::array<T, 3>& p) const {
+  auto operator()(const auto& c, const auto& code, const auto& p) const {
     return gaussian_lobe_base_two(c, base_two(code, p));
   }
 };
@@ -183,84 +165,54 @@ struct SchlickPower : AsGiven<0, Function::pow> {
 /// By three multiplications.
 struct SchlickMultiplied : AsGiven<0, Function::none> {
   static constexpr const char* id = "schlick";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 0>&) const {
-    return schlick_weight(c);
-  }
+  auto operator()(const auto& c, const auto&) const { return schlick_weight(c); }
 };
 
 struct FresnelOneTermForm : AsGiven<1, Function::exp2> {
   static constexpr const char* id = "fresnel-one-term";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return fresnel_one_term(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_one_term(c, p[0]); }
 };
 
 struct FresnelQuadraticForm : AsGiven<2, Function::exp2> {
   static constexpr const char* id = "fresnel-quadratic";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 2>& p) const {
-    return fresnel_quadratic(c, p[0], p[1]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_quadratic(c, p[0], p[1]); }
 };
 
 struct FresnelCubicForm : AsGiven<3, Function::exp2> {
   static constexpr const char* id = "fresnel-cubic";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 3>& p) const {
-    return fresnel_cubic(c, p[0], p[1], p[2]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_cubic(c, p[0], p[1], p[2]); }
 };
 
 struct FresnelQuarticForm : AsGiven<4, Function::exp2> {
   static constexpr const char* id = "fresnel-quartic";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 4>& p) const {
-    return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_quartic(c, p[0], p[1], p[2], p[3]); }
 };
 
 struct FresnelFourthForm : AsGiven<1, Function::none> {
   static constexpr const char* id = "fresnel-fourth";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return fresnel_fourth(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_fourth(c, p[0]); }
 };
 
 struct FresnelSquareForm : AsGiven<2, Function::none> {
   static constexpr const char* id = "fresnel-square";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 2>& p) const {
-    return fresnel_square(c, p[0], p[1]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_square(c, p[0], p[1]); }
 };
 
 struct FresnelRationalForm : AsGiven<1, Function::none> {
   static constexpr const char* id = "fresnel-rational";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return fresnel_rational(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return fresnel_rational(c, p[0]); }
 };
 
 // Phase functions: g, then the form's.
 
 struct HenyeyGreensteinPower : AsGiven<1, Function::pow> {
   static constexpr const char* id = "hg-pow";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return henyey_greenstein(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return henyey_greenstein(c, p[0]); }
 };
 
 struct HenyeyGreensteinRoot : AsGiven<1, Function::none> {
   static constexpr const char* id = "hg-sqrt";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return henyey_greenstein_by_sqrt(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return henyey_greenstein_by_sqrt(c, p[0]); }
 };
 
 struct SchlickPhase {
@@ -272,10 +224,7 @@ struct SchlickPhase {
   static std::array<T, 1> prepared(const std::array<T, 3>& p) {
     return {schlick_phase_parameter(p[0], p[1], p[2])};
   }
-  template <class T>
-  T operator()(const T& c, const std::array<T, 1>& p) const {
-    return schlick_phase(c, p[0]);
-  }
+  auto operator()(const auto& c, const auto& p) const { return schlick_phase(c, p[0]); }
 };
 
 // The sum of the highlights of lights: k, x, y and z of each light, then the form's. `prepared` and the
@@ -290,24 +239,16 @@ struct PhongPower {
   static std::array<T, 4> prepared(const std::array<T, 4>& p) {
     return {p[1], p[2], p[3], p[0]};
   }
-  template <class T>
-  T operator()(const std::array<T, 3>& normal, const std::array<T, 4>& p) const {
+  auto operator()(const auto& normal, const auto& p) const {
     return power_lobe(lit_cosine(normal, {p[0], p[1], p[2]}), p[3]);
   }
 };
 
 /// n.l^16 by four squarings; k has to be 16.
-struct PhongSquarings {
+struct PhongSquarings : PhongPower {
   static constexpr const char* id = "phong-squarings";
-  static constexpr Arguments arguments = Arguments::normal_to_lights;
   static constexpr Function function = Function::none;
-  static constexpr std::size_t parameters = 4;
-  template <class T>
-  static std::array<T, 4> prepared(const std::array<T, 4>& p) {
-    return {p[1], p[2], p[3], p[0]};
-  }
-  template <class T>
-  T operator()(const std::array<T, 3>& normal, const std::array<T, 4>& p) const {
+  auto operator()(const auto& normal, const auto& p) const {
     return power(lit_cosine(normal, {p[0], p[1], p[2]}), LobeSquarings::exponent);
   }
 };
@@ -321,19 +262,13 @@ struct PhongGaussian {
   static std::array<T, 4> prepared(const std::array<T, 5>& p) {
     return scaled_light({p[1], p[2], p[3]}, base_two_power(T(p[0] + p[4])));
   }
-  template <class T>
-  T operator()(const std::array<T, 3>& normal, const std::array<T, 4>& p) const {
-    return highlight_by_exp2(normal, p);
-  }
+  auto operator()(const auto& normal, const auto& p) const { return highlight_by_exp2(normal, p); }
 };
 
 /// The reference for every time: a copy of the array.
 struct Copy : AsGiven<0, Function::none> {
   static constexpr const char* id = "copy";
-  template <class T>
-  T operator()(const T& c, const std::array<T, 0>&) const {
-    return c;
-  }
+  auto operator()(const auto& c, const auto&) const { return c; }
 };
 
 /// Sixteen multiply-adds, each of which waits for the one before: the reference for arithmetic. A polynomial

@@ -1,29 +1,12 @@
 #include "bench/forms/kernel.hpp"
 
-#include <stdexcept>
-
 #include "bench/forms/compiled.hpp"
 
 namespace shadefit::forms {
-namespace {
 
-std::vector<CompiledForm> copied(std::span<const CompiledForm> table) {
-  return {table.begin(), table.end()};
-}
-
-}  // namespace
-
-std::vector<CompiledForm> scalar_forms() {
-  return copied(Tables::scalar);
-}
-std::vector<CompiledForm> sse2_forms() {
-  return copied(Tables::sse2);
-}
-std::vector<CompiledForm> avx2_forms() {
-  return copied(Tables::avx2);
-}
-std::vector<CompiledForm> avx512_forms() {
-  return copied(Tables::avx512);
+std::span<const CompiledForm> compiled_forms(Width width) {
+  constexpr std::array tables{&Tables::scalar, &Tables::sse2, &Tables::avx2, &Tables::avx512};
+  return *tables.at(static_cast<std::size_t>(width));
 }
 
 std::vector<Width> widths_here() {
@@ -38,17 +21,8 @@ std::vector<Width> widths_here() {
 }
 
 std::string_view name(Width width) {
-  switch (width) {
-    case Width::scalar:
-      return "scalar";
-    case Width::sse2:
-      return "SSE2";
-    case Width::avx2:
-      return "AVX2";
-    case Width::avx512:
-      return "AVX-512";
-  }
-  throw std::logic_error("a width without a name");
+  constexpr std::array<std::string_view, 4> names{"scalar", "SSE2", "AVX2", "AVX-512"};
+  return names.at(static_cast<std::size_t>(width));
 }
 
 }  // namespace shadefit::forms

@@ -36,12 +36,9 @@ struct CompiledForm {
   Kernel<double> in_double = nullptr;
 };
 
-/// Every form compiled for a width. Do not call it if `widths_here` lacks that width: each is in its own
-/// unit, compiled with the instructions of that width.
-std::vector<CompiledForm> scalar_forms();
-std::vector<CompiledForm> sse2_forms();
-std::vector<CompiledForm> avx2_forms();
-std::vector<CompiledForm> avx512_forms();
+/// Every form compiled for a width. Do not call its kernels if `widths_here` lacks that width: each is in its
+/// own unit, compiled with the instructions of that width.
+std::span<const CompiledForm> compiled_forms(Width width);
 
 /// The widths that this machine supports, narrowest first.
 std::vector<Width> widths_here();

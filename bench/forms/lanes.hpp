@@ -15,8 +15,9 @@ namespace shadefit::forms {
 template <class S>
 struct Lanes;
 
-template <std::floating_point R>
-struct Lanes<R> {
+/// The lanes of one number.
+template <class R>
+struct OneNumber {
   using Real = R;
   using Inner = R;
   static constexpr std::size_t size = 1;
@@ -28,6 +29,9 @@ struct Lanes<R> {
   static R wrap(R value) { return value; }
   static R first(R value) { return value; }
 };
+
+template <std::floating_point R>
+struct Lanes<R> : OneNumber<R> {};
 
 template <class T, class P>
 struct Lanes<WithExp2<T, P>> : Lanes<T> {

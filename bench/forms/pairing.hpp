@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "bench/forms/catalogue.hpp"
 #include "fit/support/checkpoint.hpp"

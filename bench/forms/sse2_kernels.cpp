@@ -3,14 +3,8 @@
 
 /// Registers of SSE2.
 namespace shadefit::forms {
-namespace {
 
-using Architecture = xsimd::sse2;
-constexpr auto table =
-    table_of<xsimd::batch<float, Architecture>, xsimd::batch<double, Architecture>>(AllForms());
-
-}  // namespace
-
-constinit const std::span<const CompiledForm> Tables::sse2(table);
+constinit const std::span<const CompiledForm> Tables::sse2(
+    table<xsimd::batch<float, xsimd::sse2>, xsimd::batch<double, xsimd::sse2>>);
 
 }  // namespace shadefit::forms

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,9 +49,11 @@ Finished run(const std::vector<std::string>& arguments) {
   if (error == 0) {
     finished.output = read_all(ends[0]);
     int status = 0;
-    const bool has_ended = ::waitpid(child, &status, 0) == child;
+    rusage usage{};
+    const bool has_ended = ::wait4(child, &status, 0, &usage) == child;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     finished.seconds = time.count();
+    finished.peak_mb = static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
     finished.is_well = has_ended && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
   ::close(ends[0]);

@@ -1,8 +1,9 @@
 #include "bench/peers/tables.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 namespace shadefit::side_by_side {
 namespace {
@@ -10,42 +11,23 @@ namespace {
 /// Three digits with a suitable unit.
 std::string time(const std::optional<double>& seconds) {
   if (!seconds) return "";
-  struct Unit {
-    double size;
-    const char* name;
-  };
-  for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "us"}}) {
-    if (*seconds < unit.size && unit.size > 1e-6) continue;
-    const double value = *seconds / unit.size;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f %s", value < 10 ? 2 : (value < 100 ? 1 : 0), value, unit.name);
-    return text;
-  }
-  return "";
+  const auto [size, unit] = *seconds >= 1      ? std::pair(1.0, "s")
+                            : *seconds >= 1e-3 ? std::pair(1e-3, "ms")
+                                               : std::pair(1e-6, "us");
+  const double value = *seconds / size;
+  return fmt::format("{:.{}f} {}", value, value < 10 ? 2 : value < 100 ? 1 : 0, unit);
 }
 
 /// Rounded down to a tenth: 13.96 is not 14.
 std::string digits(const std::optional<double>& value) {
-  if (!value) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", std::floor(*value * 10) / 10);
-  return text;
-}
-
-std::string notes(const Row& row) {
-  std::string text;
-  for (const std::string& note : row.notes) text += (text.empty() ? "" : "; ") + note;
-  return text;
+  return value ? fmt::format("{:.1f}", std::floor(*value * 10) / 10) : "";
 }
 
 /// A peer in a sentence: name, time, digits, and the ratio to our time.
 std::string beside(const Row* peer, const Row* ours) {
   if (peer == nullptr) return "|||";
-  const double ratio = ours == nullptr ? 0 : *peer->seconds / *ours->seconds;
-  char times[32];
-  std::snprintf(times, sizeof times, ratio < 100 ? "%.1f" : "%.0f", ratio);
-  return "| " + peer->tool + " " + peer->variant + " | " + time(peer->seconds) + " (" + digits(peer->digits) +
-         ") | " + times + " ";
+  return fmt::format("| {} {} | {} ({}) | {} ", peer->tool, peer->variant, time(peer->seconds),
+                     digits(peer->digits), times(ours == nullptr ? 0 : *peer->seconds / *ours->seconds));
 }
 
 }  // namespace
@@ -60,9 +42,10 @@ std::string verdict_table(const std::vector<Task>& tasks, const std::vector<Row>
     if (!task.is_fit) continue;
     const TaskVerdict verdict = judge(rows, task.id);
     const Row* ours = verdict.ours;
-    text += "| " + task.id + " | " +
-            (ours == nullptr ? std::string() : time(ours->seconds) + " (" + digits(ours->digits) + ")") +
-            " " + beside(verdict.as_exact, ours) + beside(verdict.usual, ours) + "| " + verdict.text + " |\n";
+    text +=
+        fmt::format("| {} | {} {}{}| {} |\n", task.id,
+                    ours == nullptr ? "" : fmt::format("{} ({})", time(ours->seconds), digits(ours->digits)),
+                    beside(verdict.as_exact, ours), beside(verdict.usual, ours), verdict.text);
     if (verdict.is_slow && !task.why.empty())
       why += "- " + task.id + ", " + verdict.as_exact->tool + ": " + task.why + ".\n";
   }
@@ -77,9 +60,9 @@ std::string task_tables(const std::vector<Task>& tasks, const std::vector<Row>& 
     text += "| tool | variant | in the process | as a process | digits | |\n|---|---|---|---|---|---|\n";
     for (const Row& row : rows) {
       if (row.task != task.id) continue;
-      text += "| " + row.tool + " | " + row.variant + (row.is_judged ? "" : " (listed)") + " | " +
-              time(row.seconds) + " | " + time(row.process_seconds) + " | " + digits(row.digits) + " | " +
-              notes(row) + " |\n";
+      text += fmt::format("| {} | {}{} | {} | {} | {} | {} |\n", row.tool, row.variant,
+                          row.is_judged ? "" : " (listed)", time(row.seconds), time(row.process_seconds),
+                          digits(row.digits), fmt::join(row.notes, "; "));
     }
   }
   return text;

@@ -55,10 +55,6 @@ Truth parameters_of(const std::filesystem::path& path, const std::string& study)
   return truth;
 }
 
-std::string text(const Decimal50& value) {
-  return value.str(50);
-}
-
 /// The largest |error| of the published pair: a root of the error's slope, by Newton from the place that
 /// every tool finds. One more step changes no shown digit.
 std::string largest_error() {
@@ -73,13 +69,14 @@ std::string largest_error() {
     c -= slope / bend;
   }
   const Decimal50 rest = 1 - c;
-  return text(abs(Decimal50(exp(ln2 * (a * c + b) * c) - rest * rest * rest * rest * rest)));
+  return abs(Decimal50(exp(ln2 * (a * c + b) * c) - rest * rest * rest * rest * rest)).str(50);
 }
 
 template <class Lobe>
 void append_constants(Truth& truth) {
   for (const char* alpha : {"0.1", "1", "2", "8", "64", "2048", "100000", "1000000"})
-    truth[answer_name(std::string(Lobe::record.id), alpha)] = text(Lobe::constant(Decimal50(alpha)));
+    truth[answer_name(std::string(Lobe::record.id), alpha)] =
+        Decimal50(Lobe::constant(Decimal50(alpha))).str(50);
 }
 
 }  // namespace

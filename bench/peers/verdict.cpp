@@ -9,13 +9,13 @@ const Row* quicker(const Row* best, const Row& row) {
   return best == nullptr || *row.seconds < *best->seconds ? &row : best;
 }
 
+}  // namespace
+
 std::string times(double ratio) {
   char text[32];
   std::snprintf(text, sizeof text, ratio < 100 ? "%.1f" : "%.0f", ratio);
   return text;
 }
-
-}  // namespace
 
 TaskVerdict judge(const std::vector<Row>& rows, const std::string& task) {
   TaskVerdict verdict;

@@ -33,6 +33,9 @@ struct TaskVerdict {
   std::string text;      ///< in words
 };
 
+/// A ratio of times: one decimal, or a whole number from 100 on.
+std::string times(double ratio);
+
 /// The verdict on one task. Ours must keep its digits and be `wanted_ratio` times as fast as `as_exact`, if
 /// there is one. The rows must outlive it.
 TaskVerdict judge(const std::vector<Row>& rows, const std::string& task);

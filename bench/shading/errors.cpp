@@ -1,10 +1,9 @@
-#include "bench/shading/errors.hpp"
+#include "bench/shading/measure.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "approx/encoding.hpp"
 

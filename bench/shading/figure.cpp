@@ -7,9 +7,7 @@
 
 #include "bench/shading/tables.hpp"
 #include "bench/tradeoff/labels.hpp"
-#include "fit/support/decimal.hpp"
 #include "reports/figures/plot_script.hpp"
-#include "reports/io/gnuplot_text.hpp"
 
 namespace shadefit::shade {
 namespace {
@@ -17,18 +15,6 @@ namespace {
 /// Pixels of the area between the axes: as wide as a plot of one column is, see
 /// reports/figures/plot_script.cpp.
 constexpr bench::Pixel drawn_area{798, 420};
-
-/// A logarithmic axis, with a free share at both ends.
-struct LogarithmicAxis {
-  double low, high;
-  double share(double value) const { return std::log(value / low) / std::log(high / low); }
-};
-
-LogarithmicAxis axis_of(const std::vector<double>& values, double free_below, double free_above) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double decades = std::max(std::log10(*high / *low), 0.5);
-  return {*low * std::pow(10, -free_below * decades), *high * std::pow(10, free_above * decades)};
-}
 
 struct Point {
   const MeasuredWay* way;
@@ -69,8 +55,8 @@ std::vector<Point> points_of(const Measurement& m) {
   return points;
 }
 
-std::string name_commands(const std::vector<Point>& points, const LogarithmicAxis& time,
-                          const LogarithmicAxis& error) {
+std::string name_commands(const std::vector<Point>& points, const bench::LogarithmicAxis& time,
+                          const bench::LogarithmicAxis& error) {
   // Marks with a name first: `place_labels` names these and avoids the others.
   std::vector<Point> ordered = points;
   std::stable_partition(ordered.begin(), ordered.end(), [](const Point& p) { return !p.name.empty(); });
@@ -83,20 +69,8 @@ std::string name_commands(const std::vector<Point>& points, const LogarithmicAxi
   }
   const auto labels = bench::place_labels(pixels, names, drawn_area);
   std::string commands;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const bench::Pixel& at = labels[i].middle_left;
-    commands += fmt::format("set label {} at graph {:.5f}, graph {:.5f} left noenhanced front\n",
-                            gnuplot_quoted(names[i]), at.x / drawn_area.x, 1 - at.y / drawn_area.y);
-    if (!labels[i].has_leader) continue;
-    const double width = bench::letter_width * static_cast<double>(names[i].size());
-    const double end = std::clamp(pixels[i].x, at.x, at.x + width);
-    const double edge = at.y + (pixels[i].y > at.y ? bench::line_height / 2 : -bench::line_height / 2);
-    commands += fmt::format(
-        "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead lc rgb '#B0B0B0' lw "
-        "0.8 back\n",
-        end / drawn_area.x, 1 - edge / drawn_area.y, pixels[i].x / drawn_area.x,
-        1 - pixels[i].y / drawn_area.y);
-  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    commands += bench::label_commands(labels[i], names[i], pixels[i], drawn_area);
   return commands;
 }
 
@@ -110,7 +84,7 @@ std::string reference_commands(double ns) {
 }
 
 /// 1, 2 and 5 of each decade, if decades are too few.
-std::string time_tics(const LogarithmicAxis& time) {
+std::string time_tics(const bench::LogarithmicAxis& time) {
   constexpr double few_decades = 2.5;
   if (std::log10(time.high / time.low) > few_decades) return "";
   std::string tics;
@@ -146,27 +120,25 @@ Figure shade_figure(const Measurement& m) {
     errors.push_back(point.error);
   }
   if (errors.empty()) errors.push_back(1);  // without any error the axes still need a range
-  const LogarithmicAxis time = axis_of(times, 0.06, 0.1), error = axis_of(errors, 0.1, 0.1);
+  const bench::LogarithmicAxis time = bench::axis_around(times, 0.06, 0.1),
+                               error = bench::axis_around(errors, 0.1, 0.1);
   const std::string unit = m.scale == scene::ShownScale::linear ? "linear values" : "sRGB codes of 8 bits";
-  const Panel panel{
-      .title = "Plans for tolerances of 1/32 to 1/4096",
-      .x_label = fmt::format("ns a sample, {}, one core", forms::name(m.width)),
-      .y_label = "largest error of one light, " + unit,
-      .settings = fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
-                              "set format y '10^{{%L}}'\nset format x '%g'\n",
-                              time.low, time.high, error.low, error.high) +
-                  time_tics(time) + reference_commands(m.reference.ns) + name_commands(points, time, error),
-      .abscissa = "ns",
-      .curves = {{.column = "planned",
-                  .label = "planned for this scene",
-                  .look = Look::first,
-                  .has_points = true,
-                  .is_joined = false},
-                 {.column = "published",
-                  .label = "published constants",
-                  .look = Look::second,
-                  .has_points = true,
-                  .is_joined = false}}};
+  const Panel panel{.title = "Plans for tolerances of 1/32 to 1/4096",
+                    .x_label = fmt::format("ns a sample, {}, one core", forms::name(m.width)),
+                    .y_label = "largest error of one light, " + unit,
+                    .settings = bench::axis_settings(time, error) + time_tics(time) +
+                                reference_commands(m.reference.ns) + name_commands(points, time, error),
+                    .abscissa = "ns",
+                    .curves = {{.column = "planned",
+                                .label = "planned for this scene",
+                                .look = Look::first,
+                                .has_points = true,
+                                .is_joined = false},
+                               {.column = "published",
+                                .label = "published constants",
+                                .look = Look::second,
+                                .has_points = true,
+                                .is_joined = false}}};
   return {.name = "shade",
           .family = "",
           .caption = "Error against time of the plans for a scene and of the published constants.",

@@ -62,34 +62,19 @@ Sample sample_of(const Vector& normal, const Vector& light) {
 }
 
 Cosines::Cosines(std::size_t tiles, std::size_t lights) : tiles_(tiles), lights_(lights) {
-  for (auto& all : narrow_) all.resize(tiles * lights * tile_pixels);
-  for (auto& all : wide_) all.resize(tiles * lights * tile_pixels);
+  auto& [narrow, wide] = cosines_;
+  for (auto& all : narrow) all.resize(tiles * lights * tile_pixels);
+  for (auto& all : wide) all.resize(tiles * lights * tile_pixels);
 }
 
 void Cosines::set(std::size_t tile, std::size_t light, std::size_t pixel, const Sample& sample) {
   const std::size_t at = (tile * lights_ + light) * tile_pixels + pixel;
   const std::array values{sample.n_dot_h, sample.l_dot_h, sample.n_dot_l};
+  auto& [narrow, wide] = cosines_;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    narrow_[i][at] = static_cast<float>(values[i]);
-    wide_[i][at] = static_cast<double>(narrow_[i][at]);
+    narrow[i][at] = static_cast<float>(values[i]);
+    wide[i][at] = static_cast<double>(narrow[i][at]);
   }
-}
-
-template <>
-Block<float> Cosines::block() const {
-  return {.tiles = tiles_,
-          .lights = lights_,
-          .n_dot_h = narrow_[0].data(),
-          .l_dot_h = narrow_[1].data(),
-          .n_dot_l = narrow_[2].data()};
-}
-template <>
-Block<double> Cosines::block() const {
-  return {.tiles = tiles_,
-          .lights = lights_,
-          .n_dot_h = wide_[0].data(),
-          .l_dot_h = wide_[1].data(),
-          .n_dot_l = wide_[2].data()};
 }
 
 std::vector<Cosines> sphere_blocks(std::size_t blocks, std::size_t tiles, std::size_t lights) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "bench/shading/kernels/kernel.hpp"
@@ -35,18 +36,17 @@ class Cosines {
 
   /// A block of all tiles, without powers or results.
   template <class Real>
-  Block<Real> block() const;
+  Block<Real> block() const {
+    const auto& [n_dot_h, l_dot_h, n_dot_l] = std::get<Channels<Real>>(cosines_);
+    return {tiles_, lights_, n_dot_h.data(), l_dot_h.data(), n_dot_l.data(), nullptr, {}};
+  }
 
  private:
   std::size_t tiles_, lights_;
-  std::array<std::vector<float>, 3> narrow_;
-  std::array<std::vector<double>, 3> wide_;
+  template <class Real>
+  using Channels = std::array<std::vector<Real>, 3>;
+  std::tuple<Channels<float>, Channels<double>> cosines_;  ///< n.h, l.h and n.l
 };
-
-template <>
-Block<float> Cosines::block() const;
-template <>
-Block<double> Cosines::block() const;
 
 /// Blocks of lit and visible tiles, spread evenly over the sphere, the same in every run.
 std::vector<Cosines> sphere_blocks(std::size_t blocks, std::size_t tiles, std::size_t lights);

@@ -4,61 +4,45 @@
 #include <span>
 
 #include "approx/lobe.hpp"
-#include "bench/shading/operations.hpp"
 #include "bench/timing/statistics.hpp"
 
 namespace shadefit::shade {
 namespace {
-
-/// The code of white: a tolerance in codes is relative to 255.
-double white(scene::ShownScale scale) {
-  return scene::on_scale(scale, 1);
-}
 
 std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::Plan& plan,
                                         const Checkpoint& checkpoint) {
   std::vector<scene::Plan> plans;
   for (const double tolerance : swept_tolerances) {
     scene::Wanted wanted = plan.wanted;
-    wanted.tolerance = tolerance * white(wanted.scale);
+    wanted.tolerance = tolerance * scene::on_scale(wanted.scale, 1);  // in codes relative to white, 255
     plans.push_back(scene::make_plan(scene, wanted, checkpoint));
   }
   return plans;
 }
 
-/// The whole workload by each way, one after the other.
-class Timed {
- public:
-  Timed(const Workload& workload, std::span<const FloatWay> ways, std::size_t samples)
-      : workload_(workload), results_(workload.tiles()) {
-    for (const FloatWay& way : ways)
-      work_.push_back({.once = [this, &way] { shade(way); }, .elements = std::max<std::size_t>(1, samples)});
+/// ns per sample of the whole workload by each way, one after the other: the median of the rounds, in
+/// processor time of this thread.
+std::vector<double> times_of(const Workload& workload, std::span<const FloatWay> ways, std::size_t samples,
+                             const bench::TimingPlan& timing, const std::function<void(double)>& between) {
+  Results<float> results(workload.tiles());
+  std::vector<bench::Work> work;
+  for (const FloatWay& way : ways) {
+    const auto shade = [&workload, &results, &way] {
+      for (const Visit& visit : workload.visits()) {
+        if (!way.has_lobe(visit.material)) continue;
+        Block<float> block = workload.block<float>(visit);
+        block.out = results.out();
+        way.shade(block, visit.material);
+        bench::keep(block.out[0]);
+      }
+    };
+    work.push_back({.once = shade, .elements = std::max<std::size_t>(1, samples)});
   }
-
-  /// ns per sample: the median of the rounds, in processor time of this thread.
-  std::vector<double> times(const bench::TimingPlan& timing,
-                            const std::function<void(double)>& between) const {
-    std::vector<double> times;
-    for (const bench::Samples& samples : bench::time_interleaved(work_, timing, bench::now, between))
-      times.push_back(bench::spread_of(samples.cpu).median);
-    return times;
-  }
-
- private:
-  void shade(const FloatWay& way) {
-    for (const Visit& visit : workload_.visits()) {
-      if (!way.has_lobe(visit.material)) continue;
-      Block<float> block = workload_.block<float>(visit);
-      block.out = results_.out();
-      way.shade(block, visit.material);
-      bench::keep(block.out[0]);
-    }
-  }
-
-  const Workload& workload_;
-  Results<float> results_;
-  std::vector<bench::Work> work_;
-};
+  std::vector<double> times;
+  for (const bench::Samples& of_way : bench::time_interleaved(work, timing, bench::now, between))
+    times.push_back(bench::spread_of(of_way.cpu).median);
+  return times;
+}
 
 Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Workload& workload,
                    const FloatWay& way) {
@@ -141,7 +125,7 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
   result.samples = shaded_samples(scene, workload);
   result.lights = workload.lights();
   result.is_half = plan.wanted.precision == scene::PixelPrecision::float16;
-  const std::vector<double> ns = Timed(workload, ways, result.samples).times(timing, between);
+  const std::vector<double> ns = times_of(workload, ways, result.samples, timing, between);
   const std::string published = published_form();
   result.reference = {.name = "reference", .form = "pow", .ns = ns[0], .errors = errors[0]};
   result.published = {.name = "published", .form = published, .ns = ns[1], .errors = errors[1]};

@@ -3,11 +3,14 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "bench/shading/errors.hpp"
+#include "bench/shading/ways.hpp"
 #include "bench/timing/timing.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "scene/plan/shown_scale.hpp"
 
 /// The times and errors of the ways on one workload, and of plans for other tolerances.
 ///
@@ -17,6 +20,20 @@
 /// every term. They decode a textured power, and take any other from the material. The published lobe is also
 /// measured in the plan's kernel, which culls.
 namespace shadefit::shade {
+
+/// Errors against the reference, of each sample under one light, over all samples and channels.
+struct Errors {
+  double most = 0, mean = 0;              ///< in linear values
+  double most_codes = 0, mean_codes = 0;  ///< in 8-bit sRGB codes, not rounded
+
+  double most_on(scene::ShownScale scale) const {
+    return scale == scene::ShownScale::linear ? most : most_codes;
+  }
+};
+
+/// The errors of each way.
+std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
+                              std::span<const Way> ways, const Checkpoint& checkpoint = keep_going);
 
 struct MeasuredWay {
   std::string name;                      ///< "reference", "published", "published, culled" or "planned"
@@ -42,7 +59,7 @@ struct DeviceMeasurement {
 /// The shares of the work that the plan skips, each relative to the rest after the one before.
 struct Skipped {
   double by_materials = 0;  ///< of the samples: their material is not black and has no lobe
-  double by_terms = 0;      ///< of the cost of a sample by operations.hpp
+  double by_terms = 0;      ///< of the cost of a sample in operations
   double by_culling = 0;    ///< of the samples
 };
 
@@ -71,6 +88,13 @@ inline constexpr std::array swept_tolerances{1.0 / 32,  1.0 / 64,   1.0 / 128,  
 
 /// The error of one light that a plan allows. A plan that cannot keep its tolerance promises its own error.
 double allowed_error(const scene::Plan& plan);
+
+/// The cost of a sample in operations of a shader; EXP2 and LOG2 count as four each: for the reference's
+/// three channels, with the decoding and the normalisation of a power that belongs to the pixel.
+int full_operations(bool is_power_of_pixel);
+
+/// The same for a sample that a plan does not cull.
+int planned_operations(const PlannedMaterial& material);
 
 /// How many samples of a workload are of materials that are not black.
 std::size_t shaded_samples(const scene::Scene& scene, const Workload& workload);

@@ -1,11 +1,10 @@
-#include "bench/shading/operations.hpp"
+#include "bench/shading/measure.hpp"
 
 #include <array>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "approx/arithmetic.hpp"
 #include "approx/microfacet.hpp"
 #include "bench/shading/kernels/full_terms.hpp"
 #include "fit/scalars/symbolic.hpp"
@@ -32,25 +31,16 @@ Symbolic decoded_power() {
 }
 
 /// The lobe of a plan; constants of a material are variables.
-Symbolic planned_lobe(const PlannedMaterial& m) {
-  const Symbolic c = variable("c"), offset = variable("x");
-  std::vector<Symbolic> slopes;
-  for (int i = 0; i < m.slope_count; ++i) slopes.push_back(Symbolic::variable("s" + std::to_string(i)));
-  switch (m.kind) {
-    case scene::LobeKind::constant:
-      return integer<Symbolic>(1);
-    case scene::LobeKind::multiplied:
-      return power(c, m.whole);
-    case scene::LobeKind::power:
-      return power_by_exp2(c, m.is_power_of_pixel ? decoded_power() : variable("n"));
-    case scene::LobeKind::exponential:
-      break;
-  }
-  if (m.is_power_of_pixel) {
-    const Symbolic sharpness = m.offset == 0 ? decoded_power() : decoded_power() + offset;
-    return m.is_fused ? gaussian_lobe_base_two(c, sharpness * slopes[0]) : sloped_lobe(c, sharpness, slopes);
-  }
-  return m.is_fused ? gaussian_lobe_base_two(c, slopes[0]) : sloped_lobe(c, slopes);
+Symbolic lobe_of(const PlannedMaterial& m) {
+  scene::LobeConstants<Symbolic> constants;
+  for (int i = 0; i < m.slope_count; ++i)
+    constants.slopes.push_back(Symbolic::variable("s" + std::to_string(i)));
+  if (m.is_power_of_pixel)
+    constants.exponent = m.offset == 0 ? decoded_power() : decoded_power() + variable("x");
+  else if (m.kind == scene::LobeKind::power)
+    constants.exponent = variable("n");
+  return scene::planned_lobe({.kind = m.kind, .whole = m.whole, .is_fused = m.is_fused}, variable("c"),
+                             constants);
 }
 
 }  // namespace
@@ -66,7 +56,7 @@ int full_operations(bool is_power_of_pixel) {
 }
 
 int planned_operations(const PlannedMaterial& m) {
-  const Symbolic lobe = planned_lobe(m), n_dot_l = variable("n.l");
+  const Symbolic lobe = lobe_of(m), n_dot_l = variable("n.l");
   const Symbolic light = m.kind == scene::LobeKind::constant ? n_dot_l : seen_light(n_dot_l, variable("c"));
   const auto f0 = channels("f0"), f90 = channels("f90");
   std::vector<Symbolic> shown;

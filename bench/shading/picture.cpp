@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <string_view>
 
 #include "approx/encoding.hpp"
 #include "bench/timing/statistics.hpp"
@@ -74,39 +72,27 @@ std::vector<Colour> colours_of(const Results<Real>& results, bool is_coloured) {
   return colours;
 }
 
-class Studio {
- public:
-  Studio(const scene::Scene& scene, const ReferenceWay& reference, const std::vector<ShownWay>& ways)
-      : scene_(scene), reference_(reference), ways_(ways), cosines_(cosines_of_sphere()) {}
-
-  ShownSphere shown(const Sphere& sphere) const {
-    const std::size_t tiles = cosines_.tiles();
-    const bool is_textured = scene_.materials[sphere.material].is_power_textured();
-    const std::vector<float> alpha(tiles * tile_pixels, static_cast<float>(alpha_of_power(sphere.power)));
-    const std::vector<double> wide_alpha(alpha.begin(), alpha.end());
-    Results<double> truth(tiles);
-    Block<double> wide = cosines_.block<double>();
-    wide.alpha = is_textured ? wide_alpha.data() : nullptr;
-    wide.out = truth.out();
-    reference_.shade(wide, sphere.material);
-    ShownSphere shown{.reference = colours_of(truth, true), .ways = {}};
-    for (const ShownWay& some : ways_) {
-      Results<float> result(tiles);
-      Block<float> narrow = cosines_.block<float>();
-      narrow.alpha = is_textured ? alpha.data() : nullptr;
-      narrow.out = result.out();
-      some.way.shade(narrow, sphere.material);
-      shown.ways.push_back(colours_of(result, some.way.is_coloured));
-    }
-    return shown;
+ShownSphere shown_sphere(const Sphere& sphere, const Cosines& cosines, bool is_textured,
+                         const ReferenceWay& reference, const std::vector<ShownWay>& ways) {
+  const std::size_t tiles = cosines.tiles();
+  const std::vector<float> alpha(tiles * tile_pixels, static_cast<float>(alpha_of_power(sphere.power)));
+  const std::vector<double> wide_alpha(alpha.begin(), alpha.end());
+  Results<double> truth(tiles);
+  Block<double> wide = cosines.block<double>();
+  wide.alpha = is_textured ? wide_alpha.data() : nullptr;
+  wide.out = truth.out();
+  reference.shade(wide, sphere.material);
+  ShownSphere shown{.reference = colours_of(truth, true), .ways = {}};
+  for (const ShownWay& some : ways) {
+    Results<float> result(tiles);
+    Block<float> narrow = cosines.block<float>();
+    narrow.alpha = is_textured ? alpha.data() : nullptr;
+    narrow.out = result.out();
+    some.way.shade(narrow, sphere.material);
+    shown.ways.push_back(colours_of(result, some.way.is_coloured));
   }
-
- private:
-  const scene::Scene& scene_;
-  const ReferenceWay& reference_;
-  const std::vector<ShownWay>& ways_;
-  Cosines cosines_;
-};
+  return shown;
+}
 
 /// Three bytes a pixel, rows downwards.
 class Canvas {
@@ -259,9 +245,12 @@ std::size_t pixels_of_sphere() {
 std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& plan,
                                 const ReferenceWay& reference, const std::vector<ShownWay>& ways) {
   const std::vector<Sphere> spheres = spheres_of(scene, plan);
-  const Studio studio(scene, reference, ways);
+  const Cosines cosines = cosines_of_sphere();
   std::vector<ShownSphere> shown;
-  for (const Sphere& sphere : spheres) shown.push_back(studio.shown(sphere));
+  for (const Sphere& sphere : spheres) {
+    const bool is_textured = scene.materials[sphere.material].is_power_textured();
+    shown.push_back(shown_sphere(sphere, cosines, is_textured, reference, ways));
+  }
   const int factor = amplification(shown);
   std::vector<std::string> rows{"reference"};
   for (const ShownWay& way : ways) rows.push_back(way.name);

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "bench/shading/kernels/kernel.hpp"
 #include "scene/plan/plan.hpp"

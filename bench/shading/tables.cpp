@@ -5,7 +5,6 @@
 #include <array>
 
 #include "fit/support/decimal.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit::shade {
 namespace {

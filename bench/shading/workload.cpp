@@ -48,13 +48,14 @@ Workload::Workload(const scene::Scene& scene, int lights)
     const std::size_t index = m * all / chosen;
     const scene::Material& material = scene.materials[index];
     for (std::size_t i = 0; i < each; ++i) {
-      Visit visit{index, (m * each + i) % blocks_of_sphere, {}, {}};
+      Visit visit{index, (m * each + i) % blocks_of_sphere, {}};
+      auto& [narrow, wide] = visit.alpha;
       for (std::size_t tile = 0; material.is_power_textured() && tile < tiles_; ++tile) {
         const double share = share_of_tile(i * tiles_ + tile, each * tiles_);
         const auto alpha = static_cast<float>(alpha_of_power(power_at_share(material.powers, share)));
-        visit.alpha.insert(visit.alpha.end(), tile_pixels, alpha);
+        narrow.insert(narrow.end(), tile_pixels, alpha);
       }
-      visit.wide_alpha.assign(visit.alpha.begin(), visit.alpha.end());
+      wide.assign(narrow.begin(), narrow.end());
       visits_.push_back(std::move(visit));
     }
   }
@@ -62,52 +63,5 @@ Workload::Workload(const scene::Scene& scene, int lights)
   std::stable_sort(visits_.begin(), visits_.end(),
                    [](const Visit& a, const Visit& b) { return a.block < b.block; });
 }
-
-template <>
-Block<float> Workload::block(const Visit& visit) const {
-  Block<float> block = blocks_[visit.block].block<float>();
-  block.alpha = visit.alpha.empty() ? nullptr : visit.alpha.data();
-  return block;
-}
-template <>
-Block<double> Workload::block(const Visit& visit) const {
-  Block<double> block = blocks_[visit.block].block<double>();
-  block.alpha = visit.wide_alpha.empty() ? nullptr : visit.wide_alpha.data();
-  return block;
-}
-
-template <class Real>
-SingleLights<Real>::SingleLights(const Block<Real>& block) : block_(block) {
-  block_.tiles = block.tiles * block.lights;
-  block_.lights = 1;
-  for (std::size_t i = 0; block.alpha != nullptr && i < block_.tiles; ++i) {
-    const Real* const pixels = block.alpha + i / block.lights * tile_pixels;
-    alpha_.insert(alpha_.end(), pixels, pixels + tile_pixels);
-  }
-}
-
-template <class Real>
-Block<Real> SingleLights<Real>::block(const std::array<Real*, 3>& out) const {
-  Block<Real> block = block_;
-  block.alpha = alpha_.empty() ? nullptr : alpha_.data();
-  block.out = out;
-  return block;
-}
-
-template class SingleLights<float>;
-template class SingleLights<double>;
-
-template <class Real>
-Results<Real>::Results(std::size_t tiles) {
-  for (auto& channel : channels_) channel.resize(tiles * tile_pixels);
-}
-
-template <class Real>
-void Results<Real>::clear() {
-  for (auto& channel : channels_) std::fill(channel.begin(), channel.end(), Real(0));
-}
-
-template class Results<float>;
-template class Results<double>;
 
 }  // namespace shadefit::shade

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "bench/shading/geometry.hpp"
@@ -17,8 +17,7 @@ struct Visit {
   std::size_t material;  ///< of the scene's
   std::size_t block;
   /// The roughness of each pixel of a texture, tile by tile; else empty. A float, in both formats.
-  std::vector<float> alpha;
-  std::vector<double> wide_alpha;
+  std::tuple<std::vector<float>, std::vector<double>> alpha;
 };
 
 /// Every material has the same number of visits. A tile has one power, like a magnified texture; the tiles of
@@ -37,7 +36,12 @@ class Workload {
 
   /// The inputs of a visit.
   template <class Real>
-  Block<Real> block(const Visit& visit) const;
+  Block<Real> block(const Visit& visit) const {
+    Block<Real> block = blocks_[visit.block].template block<Real>();
+    const auto& alpha = std::get<std::vector<Real>>(visit.alpha);
+    block.alpha = alpha.empty() ? nullptr : alpha.data();
+    return block;
+  }
 
   static constexpr std::size_t most_materials = 256;
 
@@ -47,40 +51,41 @@ class Workload {
   std::vector<Visit> visits_;
 };
 
-template <>
-Block<float> Workload::block(const Visit& visit) const;
-template <>
-Block<double> Workload::block(const Visit& visit) const;
-
 /// A block with a tile for each light of its tiles, each under that light alone.
 template <class Real>
 class SingleLights {
  public:
-  explicit SingleLights(const Block<Real>& block);
-  Block<Real> block(const std::array<Real*, 3>& out = {}) const;
+  explicit SingleLights(const Block<Real>& block) : block_(block) {
+    block_.tiles = block.tiles * block.lights;
+    block_.lights = 1;
+    for (std::size_t i = 0; block.alpha != nullptr && i < block_.tiles; ++i) {
+      const Real* const pixels = block.alpha + i / block.lights * tile_pixels;
+      alpha_.insert(alpha_.end(), pixels, pixels + tile_pixels);
+    }
+  }
+  Block<Real> block(const std::array<Real*, 3>& out = {}) const {
+    Block<Real> block = block_;
+    block.alpha = alpha_.empty() ? nullptr : alpha_.data();
+    block.out = out;
+    return block;
+  }
 
  private:
   Block<Real> block_;
   std::vector<Real> alpha_;  ///< of each sample: that of its pixel
 };
 
-extern template class SingleLights<float>;
-extern template class SingleLights<double>;
-
 /// The results of a visit.
 template <class Real>
 class Results {
  public:
-  explicit Results(std::size_t tiles);
+  explicit Results(std::size_t tiles) { channels_.fill(std::vector<Real>(tiles * tile_pixels)); }
   std::array<Real*, 3> out() { return {channels_[0].data(), channels_[1].data(), channels_[2].data()}; }
-  void clear();
+  void clear() { channels_.fill(std::vector<Real>(channels_[0].size())); }
   const std::vector<Real>& channel(std::size_t i) const { return channels_[i]; }
 
  private:
   std::array<std::vector<Real>, 3> channels_;
 };
-
-extern template class Results<float>;
-extern template class Results<double>;
 
 }  // namespace shadefit::shade

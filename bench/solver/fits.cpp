@@ -58,15 +58,13 @@ auto sampled(const std::vector<Problem<F>>& problems) {
 /// solvers, and `from-nothing`.
 template <class... F>
 void register_both(const std::string& name, const std::vector<Problem<F>>&... problems) {
-  benchmark::RegisterBenchmark(("fit/" + name + "/ready").c_str(), [ready = std::tuple(sampled(problems)...)](
-                                                                       benchmark::State& state) {
-    measure(state, ready);
-  })->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark(("fit/" + name + "/from-nothing").c_str(), [problems =
-                                                                               std::tuple(problems...)](
-                                                                              benchmark::State& state) {
-    measure(state, problems);
-  })->Unit(benchmark::kMicrosecond);
+  const auto register_one = [&](const char* way, const auto& all) {
+    benchmark::RegisterBenchmark(("fit/" + name + way).c_str(), [all](benchmark::State& state) {
+      measure(state, all);
+    })->Unit(benchmark::kMicrosecond);
+  };
+  register_one("/ready", std::tuple(sampled(problems)...));
+  register_one("/from-nothing", std::tuple(problems...));
 }
 
 }  // namespace

@@ -21,9 +21,15 @@ Subject published_pair() {
   return pair;
 }
 
+/// Times `measure`, in milliseconds.
+template <class Measure>
+void register_proof(const std::string& name, const Measure& measure) {
+  benchmark::RegisterBenchmark(name.c_str(), measure)->Unit(benchmark::kMillisecond);
+}
+
 /// Bounds with this relative width. The counter `boxes` is the size of the proof.
 void register_width(const std::string& name, const Subject& subject, double width) {
-  benchmark::RegisterBenchmark(("certify/" + name).c_str(), [subject, width](benchmark::State& state) {
+  register_proof("certify/" + name, [subject, width](benchmark::State& state) {
     Certified made;
     for (auto _ : state) {
       made = certify(subject, width);
@@ -32,7 +38,7 @@ void register_width(const std::string& name, const Subject& subject, double widt
     if (!made.is_reached) state.SkipWithError("the width was not reached");
     state.counters["boxes"] =
         static_cast<double>(made.certificate.horizon.size() + made.certificate.peak.size());
-  })->Unit(benchmark::kMillisecond);
+  });
 }
 
 /// Every fit of the catalogue: each family at each exponent of its own sweep under every measure.
@@ -52,7 +58,7 @@ std::vector<Fit> catalogue() {
 void register_proofs() {
   register_width("published-pair/1e-9", published_pair(), 1e-9);
   register_width("published-pair/1e-12", published_pair(), 1e-12);
-  benchmark::RegisterBenchmark("certify/catalogue/1e-9", [](benchmark::State& state) {
+  register_proof("certify/catalogue/1e-9", [](benchmark::State& state) {
     const std::vector<Fit> fits = catalogue();
     for (auto _ : state) {
       for (const Fit& fit : fits) {
@@ -60,24 +66,21 @@ void register_proofs() {
       }
     }
     state.counters["fits"] = static_cast<double>(fits.size());
-  })->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("verify/published-pair/1e-9", [](benchmark::State& state) {
+  });
+  register_proof("verify/published-pair/1e-9", [](benchmark::State& state) {
     const Certificate certificate = certify(published_pair(), 1e-9).certificate;
     for (auto _ : state) {
       if (!reason_to_refuse(certificate).empty()) state.SkipWithError("a certificate was refused");
     }
-  })->Unit(benchmark::kMillisecond);
+  });
   for (const FittableFamily& family : fittable_families()) {
     // 5: an ordinary exponent, for which the lobe is not cut.
     const Fit fit = family.fit(Setting(family.has_exponent() ? 5 : 0), {});
-    benchmark::RegisterBenchmark(("stationary/" + std::string(family.info.id)).c_str(),
-                                 [fit](benchmark::State& state) {
-                                   for (auto _ : state) {
-                                     if (!prove_stationary(fit).is_proven)
-                                       state.SkipWithError("a stationary point was not proven");
-                                   }
-                                 })
-        ->Unit(benchmark::kMillisecond);
+    register_proof("stationary/" + std::string(family.info.id), [fit](benchmark::State& state) {
+      for (auto _ : state) {
+        if (!prove_stationary(fit).is_proven) state.SkipWithError("a stationary point was not proven");
+      }
+    });
   }
 }
 

@@ -1,6 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <string>
 
 #include "bench/solver/benchmarks.hpp"

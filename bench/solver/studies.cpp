@@ -98,22 +98,22 @@ void time_of_formula(benchmark::State& state, const Truth& truth) {
 }  // namespace
 
 void register_studies() {
+  const auto register_one = [](const std::string& name, auto measure, auto... arguments) {
+    benchmark::RegisterBenchmark(name.c_str(), measure, arguments...)->Unit(benchmark::kMicrosecond);
+  };
   for (const Truth& truth : truths()) {
     const std::string name(truth.name);
     if (!truth.formula.empty()) {
-      benchmark::RegisterBenchmark(("truth/formula/" + name).c_str(), time_of_formula, truth)
-          ->Unit(benchmark::kMicrosecond);
+      register_one("truth/formula/" + name, time_of_formula, truth);
       continue;
     }
     const Albedo albedo = *find_albedo(name);
-    benchmark::RegisterBenchmark(("truth/rule/" + name).c_str(), time_of_rule, albedo)
-        ->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(("truth/value/" + name).c_str(), time_of_value, albedo)
-        ->Unit(benchmark::kMicrosecond);
+    register_one("truth/rule/" + name, time_of_rule, albedo);
+    register_one("truth/value/" + name, time_of_value, albedo);
   }
-  benchmark::RegisterBenchmark("study/gradient/family", rate_of_family)->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
+  register_one("study/gradient/family", rate_of_family);
+  register_one("study/gradient/tape", rate_of_tape);
+  register_one("study/fit/from-text", fit_from_text);
 }
 
 }  // namespace shadefit::bench

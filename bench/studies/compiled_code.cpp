@@ -23,10 +23,6 @@ std::string compiler_command() {
   return chosen != nullptr && *chosen != '\0' ? chosen : "cc";
 }
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
 }  // namespace
 
 CompiledCode::CompiledCode(const std::string& source) {
@@ -36,10 +32,11 @@ CompiledCode::CompiledCode(const std::string& source) {
   const std::string command =
       fmt::format("{} {} -o '{}' '{}' -lm 2>'{}'", compiler_command(), flags, file("forms.so").string(),
                   file("forms.c").string(), file("said").string());
-  if (std::system(command.c_str()) != 0)
+  if (std::system(command.c_str()) != 0) {
+    const std::string said = read_file(file("said"));
     throw UserError(fmt::format("the C compiler '{}' (variable CC, else cc) cannot compile the forms: {}",
-                                printable(compiler_command()),
-                                printable(first_line(read_file(file("said"))))));
+                                printable(compiler_command()), printable(said.substr(0, said.find('\n')))));
+  }
   library_ = ::dlopen(file("forms.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library_ == nullptr)
     throw UserError(fmt::format("cannot load the output of the C compiler: {}", printable(::dlerror())));

@@ -11,11 +11,13 @@
 
 #include "bench/studies/compiled_code.hpp"
 #include "bench/timing/workload.hpp"
+#include "bench/tradeoff/report.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/studies/study_comparison.hpp"
+#include "reports/table/writers.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -45,24 +47,13 @@ constexpr const char* compiler_code =
     "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
     "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
 
-std::string target_id(const std::string& id, std::size_t comparison, std::size_t count) {
-  return count == 1 ? id : fmt::format("{}-{}", id, comparison + 1);
-}
-
-/// "linear, minimax" for a fit, "cubic, Unity Technologies" for a published set.
-std::string label_of(const StudyContender& contender) {
-  const std::string& origin = contender.origin;
-  return contender.form + ", " +
-         (contender.published == nullptr ? origin : origin.substr(0, origin.find(',')));
-}
-
 /// The functions of a study as C code, and the rows that they time.
 class StudyCode {
  public:
-  StudyCode(const std::string& id, const std::vector<StudyComparison>& comparisons) {
+  StudyCode(const std::vector<TimedTarget>& targets, const std::vector<StudyComparison>& comparisons) {
     for (std::size_t i = 0; i < comparisons.size(); ++i) {
       const StudyComparison& comparison = comparisons[i];
-      const std::string target = target_id(id, i, comparisons.size());
+      const TimedTarget& target = targets[i];
       add_target(comparison, target, i);
       for (const StudyContender& contender : comparison.contenders) add(contender, comparison, target, i);
     }
@@ -78,27 +69,18 @@ class StudyCode {
 
  private:
   /// Adds the target itself, if it is a formula that C has.
-  void add_target(const StudyComparison& comparison, const std::string& target, std::size_t place) {
-    if (comparison.study.rows != nullptr || comparison.contenders.empty()) return;
+  void add_target(const StudyComparison& comparison, const TimedTarget& target, std::size_t place) {
+    if (comparison.study.rows != nullptr) return;
     const Symbolic formula = formulas_of(comparison, comparison.contenders.front()).target;
     if (integral_depth(formula) > 0) return;
-    TimedForm row;
-    row.target = target;
-    row.form = "target";
-    row.label = "the target: " + comparison.study.target;
-    row.is_reference = true;
-    add(fmt::format("target_{}", place), formula, comparison.variables, place, row);
+    add(fmt::format("target_{}", place), formula, comparison.variables, place, row_of(comparison, target));
   }
 
-  void add(const StudyContender& contender, const StudyComparison& comparison, const std::string& target,
+  void add(const StudyContender& contender, const StudyComparison& comparison, const TimedTarget& target,
            std::size_t place) {
     if (integral_depth(contender.code) > 0)
       throw UserError(fmt::format("bench has no code for 'integral' in the form '{}'", contender.formula));
-    TimedForm row;
-    row.target = target;
-    row.form = contender.form;
-    row.constants = contender.origin;
-    row.label = label_of(contender);
+    TimedForm row = row_of(contender, target);
     row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
     for (TimedFunction& other : timed) {
       if (other.comparison == place && other.rows.front().form == contender.form &&
@@ -156,50 +138,62 @@ class Places {
   std::unique_ptr<Array<float>> out_;
 };
 
-TimedForm with_time(TimedForm row, const Samples& samples, const Work& work) {
-  row.real = samples.real;
-  row.cpu = samples.cpu;
-  row.ns = spread_of(row.real);
-  row.elements = samples.calls * static_cast<long>(work.elements);
+}  // namespace
+
+TimedTarget timed_target(const std::string& id, const std::vector<StudyComparison>& comparisons,
+                         const StudyComparison& comparison) {
+  if (comparison.contenders.empty())
+    throw UserError("no fit of '" + id + "' converged, and nothing was published: there is nothing to time");
+  return {comparisons.size() == 1 ? id : fmt::format("{}-{}", id, &comparison - comparisons.data() + 1),
+          target_of(comparison)};
+}
+
+TimedForm row_of(const StudyComparison& comparison, const TimedTarget& target) {
+  TimedForm row;
+  row.target = target.id;
+  row.form = "target";
+  row.label = "the target: " + comparison.study.target;
+  row.is_reference = true;
   return row;
 }
 
-Cell ratio_cell(const std::optional<double>& ratio) {
-  return ratio ? Cell{Number{*ratio, 3}} : Cell{};
+TimedForm row_of(const StudyContender& contender, const TimedTarget& target) {
+  const std::string& origin = contender.origin;
+  TimedForm row;
+  row.target = target.id;
+  row.form = contender.form;
+  row.constants = origin;
+  // "linear, minimax" for a fit, "cubic, Unity Technologies" for a published set.
+  row.label =
+      contender.form + ", " + (contender.published == nullptr ? origin : origin.substr(0, origin.find(',')));
+  return row;
 }
-
-}  // namespace
 
 Trade measure_study(const std::string& id, const std::vector<StudyComparison>& comparisons,
                     const TimingPlan& plan, const Clock& clock, const std::function<void(double)>& between) {
-  const StudyCode source(id, comparisons);
+  Trade trade;
+  for (const StudyComparison& comparison : comparisons)
+    trade.targets.push_back(timed_target(id, comparisons, comparison));
+  const StudyCode source(trade.targets, comparisons);
   between(0);
   const CompiledCode code(source.code);
   const auto loop = [&](const std::string& name) { return reinterpret_cast<Loop>(code.at("loop_" + name)); };
   std::deque<Places> places;  // work points to them
-  for (const StudyComparison& comparison : comparisons) {
-    if (comparison.contenders.empty())
-      throw UserError("no fit of '" + id +
-                      "' converged, and nothing was published: there is nothing to time");
-    places.emplace_back(comparison);
-  }
+  for (const StudyComparison& comparison : comparisons) places.emplace_back(comparison);
   std::vector<Work> work{places.front().work(loop("copy"))};
   for (const TimedFunction& function : source.timed)
     work.push_back(places[function.comparison].work(loop(function.name)));
   const std::vector<Samples> samples = time_interleaved(work, plan, clock, between);
 
-  Trade trade;
   trade.machine = this_machine();
   trade.machine.compiler = static_cast<const char*>(code.at("compiler"));
   trade.widths = {forms::Width::scalar};
-  for (std::size_t i = 0; i < comparisons.size(); ++i)
-    trade.targets.push_back({target_id(id, i, comparisons.size()), target_of(comparisons[i])});
-  TimedForm copy;
+  TimedForm& copy = trade.copies.emplace_back();
   copy.form = copy.label = "copy";
-  trade.copies.push_back(with_time(copy, samples.front(), work.front()));
+  copy.take(samples.front(), work.front());
   for (std::size_t i = 0; i < source.timed.size(); ++i) {
     for (const TimedForm& row : source.timed[i].rows)
-      trade.forms.push_back(with_time(row, samples[i + 1], work[i + 1]));
+      trade.forms.emplace_back(row).take(samples[i + 1], work[i + 1]);
   }
   relate(trade);
   return trade;
@@ -215,10 +209,24 @@ Table study_times(const Trade& trade, const std::string& target) {
   });
   for (const TimedForm& timed : rows) {
     table.rows.push_back({timed.label, timed.max_abs_error ? Cell{Number{*timed.max_abs_error, 4}} : Cell{},
-                          Number{timed.ns.median, 3}, Number{timed.ns.width(), 3}, ratio_cell(timed.copies),
-                          ratio_cell(timed.pows)});
+                          measured(timed.ns.median), measured(timed.ns.width()), measured(timed.copies),
+                          measured(timed.pows)});
   }
   return table;
+}
+
+std::vector<File> study_bench_files(const Trade& trade) {
+  std::string text = fmt::format(
+      "# Run time against error\n\n"
+      "{}, compiled by {}. Each form is the C code that `emit` writes, in float, one number at a time.\n"
+      "The times are medians of {} rounds, each of which visits every form once, on one core, with the data in L1;\n"
+      "`spread` is the interquartile range. `x copy`: in times of copying the array.\n"
+      "Errors are those of exact arithmetic; times are this machine's, of this day.\n\n",
+      trade.machine.cpu, trade.machine.compiler, trade.forms.front().real.size());
+  for (const TimedTarget& target : trade.targets)
+    text += fmt::format("## {}\n\n{}", target.title, markdown_block(study_times(trade, target.id)));
+  text.pop_back();  // sections end in an empty line, the file does not
+  return {{"bench.md", text}, {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
 }
 
 }  // namespace shadefit::bench

@@ -20,6 +20,15 @@ namespace shadefit::bench {
 Trade measure_study(const std::string& id, const std::vector<StudyComparison>& comparisons,
                     const TimingPlan& plan, const Clock& clock, const std::function<void(double)>& between);
 
+/// The target of a comparison, with its id among all comparisons of a study. Throws UserError if the
+/// comparison has nothing to time, because no fit converged and nothing was published.
+TimedTarget timed_target(const std::string& id, const std::vector<StudyComparison>& comparisons,
+                         const StudyComparison& comparison);
+
+/// The row of a target itself, and that of a contender without its error; both without times.
+TimedForm row_of(const StudyComparison& comparison, const TimedTarget& target);
+TimedForm row_of(const StudyContender& contender, const TimedTarget& target);
+
 /// One row for each set of constants of a target, the fastest first.
 Table study_times(const Trade& trade, const std::string& target);
 

@@ -1,5 +1,6 @@
 #include "bench/timing/machine.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +10,19 @@
 #include <thread>
 
 namespace shadefit::bench {
+namespace {
+
+std::string compiler() {
+#if defined(__clang__)
+  return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  return fmt::format("gcc {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#else
+  return "unknown";
+#endif
+}
+
+}  // namespace
 
 std::string cpu_name(const std::string& cpuinfo) {
   std::istringstream lines(cpuinfo);
@@ -21,22 +35,6 @@ std::string cpu_name(const std::string& cpuinfo) {
   }
   return "unknown";
 }
-
-namespace {
-
-std::string compiler() {
-#if defined(__clang__)
-  return "clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
-         std::to_string(__clang_patchlevel__);
-#elif defined(__GNUC__)
-  return "gcc " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." +
-         std::to_string(__GNUC_PATCHLEVEL__);
-#else
-  return "unknown";
-#endif
-}
-
-}  // namespace
 
 Machine this_machine() {
   std::ifstream file("/proc/cpuinfo");

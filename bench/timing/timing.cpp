@@ -6,6 +6,22 @@
 #include <numeric>
 
 namespace shadefit::bench {
+namespace {
+
+/// One visit: a few warm calls, then the timed ones.
+void sample(const Work& work, Samples& samples, const Clock& clock) {
+  // An eighth of a visit restores caches and branch prediction. A core that slows down for wide registers
+  // does so within it.
+  for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
+  const Instant before = clock();
+  for (long i = 0; i < samples.calls; ++i) work.once();
+  const Instant after = clock();
+  const double to_ns = 1e9 / (static_cast<double>(samples.calls) * static_cast<double>(work.elements));
+  samples.real.push_back((after.real - before.real) * to_ns);
+  samples.cpu.push_back((after.cpu - before.cpu) * to_ns);
+}
+
+}  // namespace
 
 Instant now() {
   const auto real = std::chrono::steady_clock::now().time_since_epoch();
@@ -30,23 +46,6 @@ long calls_that_take(const Work& work, double seconds, const Clock& clock) {
     if (clock().real - before >= seconds || calls >= most) return calls;
   }
 }
-
-namespace {
-
-/// One visit: a few warm calls, then the timed ones.
-void sample(const Work& work, Samples& samples, const Clock& clock) {
-  // An eighth of a visit restores caches and branch prediction. A core that slows down for wide registers
-  // does so within it.
-  for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
-  const Instant before = clock();
-  for (long i = 0; i < samples.calls; ++i) work.once();
-  const Instant after = clock();
-  const double to_ns = 1e9 / (static_cast<double>(samples.calls) * static_cast<double>(work.elements));
-  samples.real.push_back((after.real - before.real) * to_ns);
-  samples.cpu.push_back((after.cpu - before.cpu) * to_ns);
-}
-
-}  // namespace
 
 std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan, const Clock& clock,
                                       const std::function<void(double)>& between) {

@@ -29,12 +29,7 @@ std::size_t first_cache_elements(forms::Arguments arguments, std::size_t bytes_o
 }
 
 template <class Real>
-void Array<Real>::Free::operator()(void* memory) const {
-  std::free(memory);
-}
-
-template <class Real>
-Array<Real>::Array(std::size_t size, std::size_t offset) : size_(size) {
+Array<Real>::Array(std::size_t size, std::size_t offset) : memory_(nullptr, std::free), size_(size) {
   // Long arrays use large pages if the system has them: page-table walks would distort the times, and small
   // pages take seconds to allocate.
   const std::size_t needed = size * sizeof(Real) + page, unit = needed >= large_page ? large_page : page;

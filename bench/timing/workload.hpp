@@ -39,10 +39,7 @@ class Array {
   std::size_t size() const { return size_; }
 
  private:
-  struct Free {
-    void operator()(void* memory) const;
-  };
-  std::unique_ptr<void, Free> memory_;
+  std::unique_ptr<void, void (*)(void*)> memory_;
   Real* data_;
   std::size_t size_;
 };

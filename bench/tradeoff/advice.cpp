@@ -1,4 +1,4 @@
-#include "bench/tradeoff/advice.hpp"
+#include "bench/tradeoff/report.hpp"
 
 #include <fmt/format.h>
 
@@ -36,8 +36,8 @@ std::string gains(const Trade& trade, const TimedForm& timed) {
   return text;
 }
 
-}  // namespace
-
+/// The bottleneck of a form, its loads and stores or its computation, and the remaining difference with data
+/// in memory.
 std::string bound_of(const Trade& trade, const TimedForm& timed) {
   if (!timed.copies) return "";
   std::string text = *timed.copies <= as_fast_as_a_copy
@@ -49,6 +49,8 @@ std::string bound_of(const Trade& trade, const TimedForm& timed) {
                                             : fmt::format(", in memory {} a copy", times(*far->copies));
   return text;
 }
+
+}  // namespace
 
 std::string advice(const Trade& trade, const std::string& target) {
   std::string text;

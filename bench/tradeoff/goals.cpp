@@ -1,16 +1,12 @@
-#include "bench/tradeoff/goals.hpp"
-
 #include <fmt/format.h>
 
-#include <functional>
+#include "bench/tradeoff/trade.hpp"
 
 namespace shadefit::bench {
 namespace {
 
-using Condition = std::function<bool(const TimedForm&)>;
-
 /// The fastest row in float and in the first cache that satisfies a condition, or null.
-const TimedForm* fastest(const Trade& trade, const std::string& target, const Condition& is_wanted) {
+const TimedForm* fastest(const Trade& trade, const std::string& target, const auto& is_wanted) {
   const TimedForm* best = nullptr;
   for (const TimedForm& row : trade.forms) {
     if (row.target != target || row.is_double || row.place != DataPlace::first_cache || !is_wanted(row))
@@ -20,33 +16,30 @@ const TimedForm* fastest(const Trade& trade, const std::string& target, const Co
   return best;
 }
 
-Condition is_form(const std::string& form, int exp2_degree) {
-  return [=](const TimedForm& row) { return row.form == form && row.exp2_degree == exp2_degree; };
-}
+/// The code of a form by the library's functions.
+enum class Code { scalar, simd, any };
 
-Condition is_scalar(const Condition& also) {
-  return [=](const TimedForm& row) { return row.width == forms::Width::scalar && also(row); };
-}
-
-Condition is_simd(const Condition& also) {
-  return [=](const TimedForm& row) { return row.width != forms::Width::scalar && also(row); };
-}
-
-/// The error of a form with an exact exp2, with the published constants if there are any.
-std::optional<double> error_with_exact_exp2(const Trade& trade, const std::string& target,
-                                            const std::string& form, const std::string& constants) {
-  const TimedForm* row = fastest(trade, target, [&](const TimedForm& other) {
-    return other.form == form && other.exp2_degree == 0 && other.constants == constants;
+const TimedForm* by_library(const Trade& trade, const std::string& target, const std::string& form,
+                            Code code) {
+  return fastest(trade, target, [&](const TimedForm& row) {
+    const bool is_scalar = row.width == forms::Width::scalar;
+    return row.form == form && row.exp2_degree == 0 &&
+           (code == Code::any || is_scalar == (code == Code::scalar));
   });
-  return row != nullptr ? row->max_abs_error : std::nullopt;
 }
 
-/// The form with a polynomial for exp2 whose error is at most this.
-Condition is_fitted(const std::string& form, const std::optional<double>& error) {
-  return [=](const TimedForm& row) {
-    return row.form == form && row.exp2_degree > 0 && error && row.max_abs_error &&
-           *row.max_abs_error <= *error;
-  };
+/// A form with a polynomial for exp2 whose error is at most this factor times that with an exact exp2 and
+/// these constants.
+const TimedForm* fitted(const Trade& trade, const std::string& target, const std::string& form,
+                        const std::string& constants, double factor) {
+  const TimedForm* exact = fastest(trade, target, [&](const TimedForm& row) {
+    return row.form == form && row.exp2_degree == 0 && row.constants == constants;
+  });
+  if (exact == nullptr || !exact->max_abs_error) return nullptr;
+  return fastest(trade, target, [&](const TimedForm& row) {
+    return row.form == form && row.exp2_degree > 0 && row.max_abs_error &&
+           *row.max_abs_error <= factor * *exact->max_abs_error;
+  });
 }
 
 std::optional<double> ratio(const TimedForm* slow, const TimedForm* fast) {
@@ -62,42 +55,27 @@ std::string by(const TimedForm* row) {
 /// A form whose exp2 may add a hundredth to its own error.
 constexpr double pairing = 1.01;
 
-std::optional<double> paired(const std::optional<double>& error) {
-  return error ? std::optional(pairing * *error) : std::nullopt;
-}
-
 }  // namespace
 
 std::vector<Goal> goals_of(const Trade& trade) {
-  std::vector<Goal> goals;
-  const TimedForm* schlick = fastest(trade, "schlick", is_form("schlick", 0));
-  goals.push_back({"Schlick by multiplications, in copies" + by(schlick), 1.4, true,
-                   schlick != nullptr ? schlick->copies : std::nullopt});
-
-  const auto lobe_error = error_with_exact_exp2(trade, "lobe", "sg", "published-sg-offset-mean");
-  const TimedForm* gaussian = fastest(trade, "lobe", is_fitted("sg", lobe_error));
-  const TimedForm* pow = fastest(trade, "lobe", is_scalar(is_form("lobe-pow", 0)));
-  const TimedForm* wide_pow = fastest(trade, "lobe", is_simd(is_form("lobe-pow", 0)));
-  goals.push_back({"the SG lobe with a fitted exp2, as fast as a scalar loop over std::pow" + by(gaussian),
-                   45, false, ratio(pow, gaussian)});
-  goals.push_back({"the same, as fast as SIMD pow" + by(wide_pow), 10, false, ratio(wide_pow, gaussian)});
-
+  const TimedForm* schlick = by_library(trade, "schlick", "schlick", Code::any);
+  const TimedForm* gaussian = fitted(trade, "lobe", "sg", "published-sg-offset-mean", 1);
+  const TimedForm* pow = by_library(trade, "lobe", "lobe-pow", Code::scalar);
+  const TimedForm* wide_pow = by_library(trade, "lobe", "lobe-pow", Code::simd);
   const std::string pair = "fresnel-quadratic";
-  const auto pair_error =
-      paired(error_with_exact_exp2(trade, "schlick", pair, "published-fresnel-quadratic-a"));
-  const TimedForm* fresnel = fastest(trade, "schlick", is_fitted(pair, pair_error));
-  goals.push_back(
-      {"the Fresnel pair with a fitted exp2, as fast as a scalar loop over std::exp2" + by(fresnel), 30,
-       false, ratio(fastest(trade, "schlick", is_scalar(is_form(pair, 0))), fresnel)});
-  goals.push_back({"the same, as fast as SIMD exp2", 2.5, false,
-                   ratio(fastest(trade, "schlick", is_simd(is_form(pair, 0))), fresnel)});
-
-  const auto light_error =
-      paired(error_with_exact_exp2(trade, "phong-16", "phong-sg", "published-sg-offset-mean"));
-  const TimedForm* lights = fastest(trade, "phong-16", is_fitted("phong-sg", light_error));
-  goals.push_back({"Phong with 16 lights by DOT4 and EXP2, as fast as its SIMD pow" + by(lights), 8, false,
-                   ratio(fastest(trade, "phong-16", is_simd(is_form("phong-pow", 0))), lights)});
-  return goals;
+  const TimedForm* fresnel = fitted(trade, "schlick", pair, "published-fresnel-quadratic-a", pairing);
+  const TimedForm* lights = fitted(trade, "phong-16", "phong-sg", "published-sg-offset-mean", pairing);
+  return {{"Schlick by multiplications, in copies" + by(schlick), 1.4, true,
+           schlick != nullptr ? schlick->copies : std::nullopt},
+          {"the SG lobe with a fitted exp2, as fast as a scalar loop over std::pow" + by(gaussian), 45, false,
+           ratio(pow, gaussian)},
+          {"the same, as fast as SIMD pow" + by(wide_pow), 10, false, ratio(wide_pow, gaussian)},
+          {"the Fresnel pair with a fitted exp2, as fast as a scalar loop over std::exp2" + by(fresnel), 30,
+           false, ratio(by_library(trade, "schlick", pair, Code::scalar), fresnel)},
+          {"the same, as fast as SIMD exp2", 2.5, false,
+           ratio(by_library(trade, "schlick", pair, Code::simd), fresnel)},
+          {"Phong with 16 lights by DOT4 and EXP2, as fast as its SIMD pow" + by(lights), 8, false,
+           ratio(by_library(trade, "phong-16", "phong-pow", Code::simd), lights)}};
 }
 
 }  // namespace shadefit::bench

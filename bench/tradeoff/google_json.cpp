@@ -58,26 +58,26 @@ constexpr std::array<Aggregate, 4> aggregates{{
 void add_rows(Json& rows, const TimedForm& timed, std::size_t family) {
   const std::string name = benchmark_name(timed);
   const std::size_t repetitions = timed.real.size();
+  const auto add = [&](Json row, auto iterations, double real, double cpu) {
+    row["iterations"] = iterations;
+    row["real_time"] = real;
+    row["cpu_time"] = cpu;
+    row["time_unit"] = "ns";
+    rows.push_back(std::move(row));
+  };
   for (std::size_t i = 0; i < repetitions; ++i) {
     Json iteration = row(name, "", family, "iteration", repetitions);
     iteration["repetition_index"] = i;
     iteration["threads"] = 1;
-    iteration["iterations"] = timed.elements / elements_an_iteration;
-    iteration["real_time"] = elements_an_iteration * timed.real[i];
-    iteration["cpu_time"] = elements_an_iteration * timed.cpu[i];
-    iteration["time_unit"] = "ns";
-    rows.push_back(std::move(iteration));
+    add(std::move(iteration), timed.elements / elements_an_iteration, elements_an_iteration * timed.real[i],
+        elements_an_iteration * timed.cpu[i]);
   }
   for (const Aggregate& aggregate : aggregates) {
     Json whole = row(name, std::string("_") + aggregate.name, family, "aggregate", repetitions);
     whole["aggregate_name"] = aggregate.name;
     whole["aggregate_unit"] = aggregate.unit;
-    whole["iterations"] = repetitions;
     const int factor = aggregate.unit == std::string_view("time") ? elements_an_iteration : 1;
-    whole["real_time"] = factor * aggregate.of(timed.real);
-    whole["cpu_time"] = factor * aggregate.of(timed.cpu);
-    whole["time_unit"] = "ns";
-    rows.push_back(std::move(whole));
+    add(std::move(whole), repetitions, factor * aggregate.of(timed.real), factor * aggregate.of(timed.cpu));
   }
 }
 

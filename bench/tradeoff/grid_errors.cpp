@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace shadefit::bench {
 namespace {
@@ -13,18 +12,11 @@ constexpr std::size_t grid_places = 16384;
 
 template <class Real>
 std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, const std::vector<double>& given) {
-  std::vector<Real> parameters(given.size()), in[3], out(grid_places);
-  std::transform(given.begin(), given.end(), parameters.begin(),
-                 [](double x) { return static_cast<Real>(x); });
-  forms::Arrays<Real> arrays;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    in[axis].assign(grid.in[axis].begin(), grid.in[axis].end());
-    arrays.in[axis] = in[axis].empty() ? nullptr : in[axis].data();
-  }
-  arrays.codes = grid.codes.empty() ? nullptr : grid.codes.data();
-  arrays.out = out.data();
-  arrays.size = grid_places;
-  kernel(arrays, parameters);
+  std::vector<Real> parameters, in[3], out(grid_places);
+  for (const double x : given) parameters.push_back(static_cast<Real>(x));
+  for (std::size_t axis = 0; axis < 3; ++axis) in[axis].assign(grid.in[axis].begin(), grid.in[axis].end());
+  kernel({{in[0].data(), in[1].data(), in[2].data()}, grid.codes.data(), out.data(), grid_places},
+         parameters);
   return out;
 }
 
@@ -34,12 +26,6 @@ double largest_error(const std::vector<Real>& values, const std::vector<double>&
   for (std::size_t i = 0; i < values.size(); ++i)
     largest = std::max(largest, std::abs(static_cast<double>(values[i]) - truth[i]));
   return largest;
-}
-
-const forms::CompiledForm* find(const std::vector<forms::CompiledForm>& all, std::string_view id) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const forms::CompiledForm& form) { return form.form == id; });
-  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -66,32 +52,26 @@ Grid grid_of(const forms::Target& target) {
 
 std::vector<double> truth_at(const Grid& grid, const forms::Catalogue& catalogue,
                              const forms::Target& target) {
-  const auto scalar = forms::scalar_forms();
-  for (const forms::FormEntry& form : catalogue.forms) {  // the first of a target is the target itself
-    if (form.target == target.id)
-      return values_of(find(scalar, form.id)->in_double, grid,
-                       forms::parameters_of(target, form.constants.front()));
-  }
-  throw std::logic_error("no form of the target " + std::string(target.id));
+  const forms::FormEntry& exact = forms::reference_of(catalogue, target.id);
+  const auto scalar = forms::compiled_forms(forms::Width::scalar);
+  return values_of(std::ranges::find(scalar, exact.id, &forms::CompiledForm::form)->in_double, grid,
+                   forms::parameters_of(target, exact.constants.front()));
 }
 
 std::vector<FormError> grid_errors(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
                                    const std::function<void()>& between) {
-  const auto compiled = forms::sse2_forms();
   std::vector<FormError> errors;
   const forms::Target* target = nullptr;
   Grid grid;
   std::vector<double> truth;
   for (const forms::FormEntry& form : catalogue.forms) {
-    const bool is_wanted =
-        targets.empty() || std::find(targets.begin(), targets.end(), form.target) != targets.end();
-    if (!is_wanted) continue;
+    if (!forms::is_wanted(targets, form.target)) continue;
     if (target == nullptr || target->id != form.target) {
       target = &forms::target_of(catalogue, form.target);
       grid = grid_of(*target);
       truth = truth_at(grid, catalogue, *target);
     }
-    for (const forms::CompiledForm& version : compiled) {
+    for (const forms::CompiledForm& version : forms::compiled_forms(forms::Width::sse2)) {
       if (version.form != form.id) continue;
       for (const forms::Constants& constants : form.constants) {
         between();

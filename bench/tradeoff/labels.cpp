@@ -1,8 +1,12 @@
 #include "bench/tradeoff/labels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "reports/io/gnuplot_text.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -78,6 +82,37 @@ std::vector<Label> place_labels(const std::vector<Pixel>& points, const std::vec
     taken.push_back(box_of(best.middle_left, width));
   }
   return labels;
+}
+
+double LogarithmicAxis::share(double value) const {
+  return std::log(value / low) / std::log(high / low);
+}
+
+LogarithmicAxis axis_around(const std::vector<double>& values, double free_below, double free_above) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double decades = std::max(std::log10(*high / *low), 0.5);
+  return {*low * std::pow(10, -free_below * decades), *high * std::pow(10, free_above * decades)};
+}
+
+std::string axis_settings(const LogarithmicAxis& x, const LogarithmicAxis& y) {
+  return fmt::format(
+      "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
+      "set format y '10^{{%L}}'\nset format x '%g'\n",
+      x.low, x.high, y.low, y.high);
+}
+
+std::string label_commands(const Label& label, const std::string& name, const Pixel& point, const Pixel& size,
+                           const std::string& options) {
+  const Pixel& at = label.middle_left;
+  std::string commands = fmt::format("set label {} at graph {:.5f}, graph {:.5f} left noenhanced{} front\n",
+                                     gnuplot_quoted(name), at.x / size.x, 1 - at.y / size.y, options);
+  if (!label.has_leader) return commands;
+  const double end = std::clamp(point.x, at.x, at.x + letter_width * static_cast<double>(name.size()));
+  const double edge = at.y + (point.y > at.y ? line_height / 2 : -line_height / 2);
+  return commands + fmt::format(
+                        "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead "
+                        "lc rgb '#B0B0B0' lw 0.8 back\n",
+                        end / size.x, 1 - edge / size.y, point.x / size.x, 1 - point.y / size.y);
 }
 
 }  // namespace shadefit::bench

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +20,24 @@ struct Label {
 /// The width of a letter of the pictures' font, an upper bound of the average for most texts, and the height
 /// of a line.
 inline constexpr double letter_width = 7.2, line_height = 16;
+
+/// A logarithmic axis.
+struct LogarithmicAxis {
+  double low, high;
+  /// The place of a value, from 0 at `low` to 1 at `high`.
+  double share(double value) const;
+};
+
+/// An axis for these numbers, with a free share at both ends.
+LogarithmicAxis axis_around(const std::vector<double>& values, double free_below, double free_above);
+
+/// gnuplot's settings for two such axes.
+std::string axis_settings(const LogarithmicAxis& x, const LogarithmicAxis& y);
+
+/// gnuplot's commands for a name: the text, with more options, and a line to its point if it is far away.
+/// `size` is that of the area between the axes.
+std::string label_commands(const Label& label, const std::string& name, const Pixel& point, const Pixel& size,
+                           const std::string& options = "");
 
 /// Positions for the names of the first `names.size()` points: close to the point if there is room, else
 /// farther away. Names avoid all points, including those without a name, avoid each other, and stay within

@@ -3,29 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "bench/timing/workload.hpp"
-#include "bench/tradeoff/goals.hpp"
 
 namespace shadefit::bench {
-
-std::vector<forms::CompiledForm> compiled_for(forms::Width width) {
-  switch (width) {
-    case forms::Width::scalar:
-      return forms::scalar_forms();
-    case forms::Width::sse2:
-      return forms::sse2_forms();
-    case forms::Width::avx2:
-      return forms::avx2_forms();
-    case forms::Width::avx512:
-      return forms::avx512_forms();
-  }
-  throw std::logic_error("a width without forms");
-}
-
 namespace {
 
 /// A timed kernel, without its constants: the common part of its rows.
@@ -110,11 +93,11 @@ class Programme {
   Programme(const forms::Catalogue& catalogue, const WantedForms& wanted, std::size_t last_cache)
       : has_little_memory_(wanted.has_little_memory), floats_(last_cache), doubles_(last_cache) {
     for (const forms::Width width : wanted.widths) {
-      const auto compiled = compiled_for(width);
+      const auto compiled = forms::compiled_forms(width);
       for (const char* floor : {forms::Copy::id, forms::MultiplyAdds::id})
         add_all(compiled, floor, catalogue.targets.front(), nullptr, width);
       for (const forms::FormEntry& form : catalogue.forms) {
-        if (is_wanted(wanted, form.target))
+        if (forms::is_wanted(wanted.targets, form.target))
           add_all(compiled, form.id, forms::target_of(catalogue, form.target), &form, width);
       }
     }
@@ -124,13 +107,8 @@ class Programme {
   std::vector<Work> work;
 
  private:
-  static bool is_wanted(const WantedForms& wanted, std::string_view target) {
-    return wanted.targets.empty() ||
-           std::find(wanted.targets.begin(), wanted.targets.end(), target) != wanted.targets.end();
-  }
-
   /// Every version of a form at a width.
-  void add_all(const std::vector<forms::CompiledForm>& compiled, std::string_view id,
+  void add_all(std::span<const forms::CompiledForm> compiled, std::string_view id,
                const forms::Target& target, const forms::FormEntry* form, forms::Width width) {
     for (const forms::CompiledForm& version : compiled) {
       if (version.form != id) continue;
@@ -185,14 +163,6 @@ std::optional<double> error_of(const std::vector<FormError>& errors, const Timed
   return std::nullopt;
 }
 
-/// The first form of a target is the target itself, by the library.
-bool is_reference(const forms::Catalogue& catalogue, const forms::FormEntry& form) {
-  for (const forms::FormEntry& other : catalogue.forms) {
-    if (other.target == form.target) return &other == &form;
-  }
-  return false;
-}
-
 }  // namespace
 
 Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& errors,
@@ -204,17 +174,14 @@ Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& e
   const auto samples = time_interleaved(programme.work, wanted.plan, clock, between);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     TimedForm row = programme.timed[i].row;
-    row.real = samples[i].real;
-    row.cpu = samples[i].cpu;
-    row.ns = spread_of(row.real);
-    row.elements = samples[i].calls * static_cast<long>(programme.work[i].elements);
+    row.take(samples[i], programme.work[i]);
     const forms::FormEntry* form = programme.timed[i].form;
     if (form == nullptr) {
       row.label = row.form;
       trade.copies.push_back(std::move(row));
       continue;
     }
-    row.is_reference = is_reference(catalogue, *form);
+    row.is_reference = form == &forms::reference_of(catalogue, form->target);
     for (const forms::Constants& constants : form->constants) {
       row.constants = constants.id;
       row.label = label_of(row);

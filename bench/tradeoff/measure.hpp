@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bench/forms/catalogue.hpp"
-#include "bench/timing/timing.hpp"
 #include "bench/tradeoff/trade.hpp"
 #include "reports/table/table.hpp"
 
@@ -33,9 +32,6 @@ struct WantedForms {
 
 /// Rounds and visits of a whole bench, well below 90 s, and of a quick one, below 5 s.
 inline constexpr TimingPlan full_plan{21, 5e-4}, quick_plan{5, 2e-5};
-
-/// The compiled forms of a width that this machine supports.
-std::vector<forms::CompiledForm> compiled_for(forms::Width width);
 
 /// Times every requested form and adds its known errors: one row for each set of constants. The time of a
 /// kernel does not depend on its constants. `between` receives the finished fraction.

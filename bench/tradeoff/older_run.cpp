@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -11,18 +10,6 @@
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::bench {
-namespace {
-
-/// The form by which the time of a row counts, or null: as in `relate`.
-const TimedForm* reference_of(const Trade& trade, const TimedForm& timed) {
-  const auto found = std::find_if(trade.forms.begin(), trade.forms.end(), [&](const TimedForm& other) {
-    return other.is_reference && other.target == timed.target && other.width == forms::Width::scalar &&
-           other.is_double == timed.is_double && other.place == timed.place;
-  });
-  return found == trade.forms.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 Medians medians_of(std::string_view text, const std::string& file) {
   const nlohmann::json json = parse_json(text, file, [](std::string_view key) {

@@ -1,4 +1,4 @@
-#include "bench/tradeoff/pareto_figure.hpp"
+#include "bench/tradeoff/report.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "bench/tradeoff/front.hpp"
 #include "bench/tradeoff/labels.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/gnuplot_text.hpp"
@@ -19,20 +18,6 @@ namespace {
 /// Pixels of the area between the axes: as wide as a plot of one column is, see
 /// reports/figures/plot_script.cpp.
 constexpr Pixel area{798, 470};
-
-/// A logarithmic axis.
-struct Axis {
-  double low, high;
-  double share(double value) const { return std::log(value / low) / std::log(high / low); }
-  double at(double share) const { return low * std::pow(high / low, share); }
-};
-
-/// An axis for these numbers, with a free share at both ends.
-Axis axis_around(const std::vector<double>& values, double free_below, double free_above) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double decades = std::max(std::log10(*high / *low), 0.5);
-  return {*low * std::pow(10, -free_below * decades), *high * std::pow(10, free_above * decades)};
-}
 
 /// What is drawn: few marks, each with its name.
 struct Drawn {
@@ -72,10 +57,7 @@ std::vector<TimedForm> drawable_forms(const Trade& trade, const std::string& tar
 
 Drawn drawn_of(const Trade& trade, const std::string& target) {
   const std::vector<TimedForm> forms = drawable_forms(trade, target);
-  std::vector<Offer> offers;
-  for (const TimedForm& form : forms) offers.push_back({form.ns.median, *form.max_abs_error});
-  Drawn drawn;
-  for (const std::size_t i : front_of(offers)) drawn.front.push_back(forms[i]);
+  Drawn drawn{.front = front_among(forms), .others = {}};
   for (const TimedForm& form : forms) {
     const auto is_same_mark = [&](const TimedForm& mark) {
       return mark.form == form.form && (!form.is_reference || mark.width == form.width);
@@ -91,16 +73,13 @@ Drawn drawn_of(const Trade& trade, const std::string& target) {
   return drawn;
 }
 
-std::string series_of(const TimedForm& timed, bool is_on_front) {
-  return is_on_front ? "front" : timed.is_reference ? "reference" : "form";
-}
-
 Table data_of(const Drawn& drawn) {
   Table table{{"ns", "front", "form", "reference", "name", "width"}, {}};
   const auto add = [&](const TimedForm& timed, bool is_on_front) {
     std::vector<Cell> row(table.columns.size());
     row[0] = Number{timed.ns.median, 4};
-    const auto column = std::find(table.columns.begin(), table.columns.end(), series_of(timed, is_on_front));
+    const char* series = is_on_front ? "front" : timed.is_reference ? "reference" : "form";
+    const auto column = std::ranges::find(table.columns, series);
     row[static_cast<std::size_t>(column - table.columns.begin())] = Number{*timed.max_abs_error, 4};
     row[4] = full_id(timed);
     row[5] = timed.on_device ? "" : std::string(forms::name(timed.width));
@@ -127,22 +106,7 @@ void add_line(std::vector<Pixel>& points, const Pixel& from, const Pixel& to) {
   }
 }
 
-/// gnuplot's commands for a name: the text, and a line to its point if it is far away.
-std::string label_command(const Label& label, const std::string& name, const Pixel& point, bool is_on_front) {
-  const Pixel& at = label.middle_left;
-  std::string commands = fmt::format(
-      "set label {} at graph {:.5f}, graph {:.5f} left noenhanced textcolor '{}' front\n",
-      gnuplot_quoted(name), at.x / area.x, 1 - at.y / area.y, is_on_front ? "#101010" : "#707070");
-  if (!label.has_leader) return commands;
-  const double end = std::clamp(point.x, at.x, at.x + letter_width * static_cast<double>(name.size()));
-  const double edge = at.y + (point.y > at.y ? line_height / 2 : -line_height / 2);
-  return commands + fmt::format(
-                        "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead "
-                        "lc rgb '#B0B0B0' lw 0.8 back\n",
-                        end / area.x, 1 - edge / area.y, point.x / area.x, 1 - point.y / area.y);
-}
-
-std::string label_commands(const Drawn& drawn, const Axis& time, const Axis& error) {
+std::string name_commands(const Drawn& drawn, const LogarithmicAxis& time, const LogarithmicAxis& error) {
   const auto pixel = [&](const TimedForm& timed) {
     return Pixel{area.x * time.share(timed.ns.median), area.y * (1 - error.share(*timed.max_abs_error))};
   };
@@ -159,7 +123,8 @@ std::string label_commands(const Drawn& drawn, const Axis& time, const Axis& err
   const auto labels = place_labels(points, names, area);
   std::string commands;
   for (std::size_t i = 0; i < labels.size(); ++i)
-    commands += label_command(labels[i], names[i], points[i], i < drawn.front.size());
+    commands += label_commands(labels[i], names[i], points[i], area,
+                               i < drawn.front.size() ? " textcolor '#101010'" : " textcolor '#707070'");
   return commands;
 }
 
@@ -202,25 +167,21 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
     }
   }
   const bool is_graphics = trade.machine.is_graphics();
-  const Axis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
+  const LogarithmicAxis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
   const std::string name = "pareto-" + target.id;
-  Panel panel{
-      .title = fmt::format("{}, on {}", raised(target.title),
-                           gnuplot_unmarked(is_graphics ? trade.machine.device : trade.machine.cpu)),
-      .x_label = is_graphics ? "time of an evaluation in ns, float, on the whole device"
-                             : "time of an element in ns, float, data in L1, one core",
-      .y_label = "largest absolute error",
-      .settings = fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
-                              "set format y '10^{{%L}}'\nset format x '%g'\n",
-                              time.low, time.high, error.low, error.high) +
-                  label_commands(drawn, time, error),
-      .abscissa = "ns",
-      .curves = {{.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
-                 {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
-                 {.column = "reference",
-                  .label = is_graphics ? "the target itself" : "by the C library",
-                  .look = Look::fourth,
-                  .is_joined = false}}};
+  Panel panel{.title = fmt::format("{}, on {}", raised(target.title),
+                                   gnuplot_unmarked(is_graphics ? trade.machine.device : trade.machine.cpu)),
+              .x_label = is_graphics ? "time of an evaluation in ns, float, on the whole device"
+                                     : "time of an element in ns, float, data in L1, one core",
+              .y_label = "largest absolute error",
+              .settings = axis_settings(time, error) + name_commands(drawn, time, error),
+              .abscissa = "ns",
+              .curves = {{.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
+                         {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
+                         {.column = "reference",
+                          .label = is_graphics ? "the target itself" : "by the C library",
+                          .look = Look::fourth,
+                          .is_joined = false}}};
   // The legend names only series with data.
   const Table data = data_of(drawn);
   std::erase_if(panel.curves, [&](const Curve& curve) {

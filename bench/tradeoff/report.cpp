@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "bench/tradeoff/advice.hpp"
-#include "bench/tradeoff/pareto_figure.hpp"
-#include "bench/tradeoff/tables.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit::bench {
@@ -25,14 +22,18 @@ std::string target_section(const Trade& trade, const TimedTarget& target,
   std::string text = fmt::format("## {}\n\n{}\n", target.title, advice(trade, target.id));
   const Table front = front_table(trade, target.id);
   if (!front.rows.empty()) text += markdown_block(front);
-  for (const Figure& figure : figures) {
-    if (figure.name != "pareto-" + target.id) continue;
-    text += fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", figure.caption, figure.name);
-  }
-  return text;
+  return text + figure_block(figures, target);
 }
 
 }  // namespace
+
+std::string figure_block(const std::vector<Figure>& figures, const TimedTarget& target) {
+  for (const Figure& figure : figures) {
+    if (figure.name == "pareto-" + target.id)
+      return fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", figure.caption, figure.name);
+  }
+  return "";
+}
 
 std::string bench_report(const Trade& trade, const std::vector<Figure>& figures, bool has_table) {
   const Machine& machine = trade.machine;

@@ -1,20 +1,7 @@
-#include "bench/tradeoff/tables.hpp"
+#include "bench/tradeoff/report.hpp"
 
 namespace shadefit::bench {
 namespace {
-
-/// Times are repeatable to about a percent: three digits.
-Cell measured(double value) {
-  return Number{value, 3};
-}
-
-Cell measured(const std::optional<double>& value) {
-  return value ? measured(*value) : Cell{};
-}
-
-Cell error_cell(const std::optional<double>& error) {
-  return error ? Cell{Number{*error, 3}} : Cell{};
-}
 
 std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
   const bool is_on_cpu = !timed.on_device;
@@ -30,7 +17,7 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
           measured(timed.ns.width()),
           measured(timed.copies),
           measured(timed.pows),
-          error_cell(timed.max_abs_error),
+          measured(timed.max_abs_error),
           machine.cpu,
           machine.compiler,
           machine.device,
@@ -42,6 +29,14 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
 }
 
 }  // namespace
+
+Cell measured(double value) {
+  return Number{value, 3};
+}
+
+Cell measured(const std::optional<double>& value) {
+  return value ? measured(*value) : Cell{};
+}
 
 Table bench_table(const Trade& trade) {
   Table table{{"target",
@@ -77,7 +72,7 @@ Table front_table(const Trade& trade, const std::string& target) {
   for (const TimedForm& timed : front_of_target(trade, target)) {
     const TimedForm* far = in_memory(trade, timed);
     table.rows.push_back({timed.label, precision_of(timed), std::string(forms::name(timed.width)),
-                          error_cell(timed.max_abs_error), measured(timed.ns.median),
+                          measured(timed.max_abs_error), measured(timed.ns.median),
                           measured(timed.ns.width()), measured(timed.copies), measured(timed.pows),
                           far != nullptr ? measured(far->ns.median) : Cell{},
                           far != nullptr ? measured(far->copies) : Cell{}});

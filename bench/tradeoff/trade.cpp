@@ -1,26 +1,12 @@
 #include "bench/tradeoff/trade.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 
 #include "bench/forms/forms.hpp"
-#include "bench/tradeoff/front.hpp"
 
 namespace shadefit::bench {
-
-std::string name(DataPlace place) {
-  return place == DataPlace::first_cache ? "L1" : "memory";
-}
-
-std::string precision_of(const TimedForm& timed) {
-  if (timed.on_device && timed.on_device->is_half) return "half";
-  return timed.is_double ? "double" : "float";
-}
-
-std::string full_id(const TimedForm& timed) {
-  return timed.exp2_degree == 0 ? timed.form : timed.form + "/exp2-" + std::to_string(timed.exp2_degree);
-}
-
 namespace {
 
 bool are_alike(const TimedForm& a, const TimedForm& b) {
@@ -34,6 +20,26 @@ const TimedForm* first_where(const std::vector<TimedForm>& rows, const Condition
 }
 
 }  // namespace
+
+void TimedForm::take(const Samples& samples, const Work& work) {
+  real = samples.real;
+  cpu = samples.cpu;
+  ns = spread_of(real);
+  elements = samples.calls * static_cast<long>(work.elements);
+}
+
+std::string name(DataPlace place) {
+  return place == DataPlace::first_cache ? "L1" : "memory";
+}
+
+std::string precision_of(const TimedForm& timed) {
+  if (timed.on_device && timed.on_device->is_half) return "half";
+  return timed.is_double ? "double" : "float";
+}
+
+std::string full_id(const TimedForm& timed) {
+  return timed.exp2_degree == 0 ? timed.form : timed.form + "/exp2-" + std::to_string(timed.exp2_degree);
+}
 
 bool is_same_kernel(const TimedForm& a, const TimedForm& b) {
   return a.target == b.target && a.form == b.form && a.exp2_degree == b.exp2_degree && a.width == b.width &&
@@ -51,6 +57,13 @@ const TimedForm* in_memory(const Trade& trade, const TimedForm& timed) {
   });
 }
 
+const TimedForm* reference_of(const Trade& trade, const TimedForm& timed) {
+  return first_where(trade.forms, [&](const TimedForm& other) {
+    return other.is_reference && other.target == timed.target && other.width == forms::Width::scalar &&
+           are_alike(other, timed);
+  });
+}
+
 void relate(Trade& trade) {
   for (TimedForm& timed : trade.forms) {
     const auto floor_of = [&](std::string_view form) {
@@ -62,11 +75,8 @@ void relate(Trade& trade) {
     const auto* additions = timed.on_device ? nullptr : floor_of(forms::MultiplyAdds::id);
     if (additions != nullptr)
       timed.multiply_adds = forms::MultiplyAdds::count * timed.ns.median / additions->ns.median;
-    const auto* reference = first_where(trade.forms, [&](const TimedForm& other) {
-      return other.is_reference && other.target == timed.target && other.width == forms::Width::scalar &&
-             are_alike(other, timed);
-    });
-    if (reference != nullptr) timed.pows = reference->ns.median / timed.ns.median;
+    if (const auto* reference = reference_of(trade, timed))
+      timed.pows = reference->ns.median / timed.ns.median;
   }
 }
 
@@ -87,12 +97,32 @@ std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target)
   return fastest;
 }
 
+std::vector<std::size_t> front_of(const std::vector<Offer>& offers) {
+  std::vector<std::size_t> order(offers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) {
+    return !(offers[i].time == offers[i].time && offers[i].error == offers[i].error);
+  });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return offers[i].time != offers[j].time ? offers[i].time < offers[j].time
+                                            : offers[i].error < offers[j].error;
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    if (front.empty() || offers[i].error < offers[front.back()].error) front.push_back(i);
+  }
+  return front;
+}
+
 std::vector<TimedForm> front_of_target(const Trade& trade, const std::string& target) {
-  const std::vector<TimedForm> all = fastest_of(trade, target);
+  return front_among(fastest_of(trade, target));
+}
+
+std::vector<TimedForm> front_among(const std::vector<TimedForm>& forms) {
   std::vector<Offer> offers;
-  for (const TimedForm& timed : all) offers.push_back({timed.ns.median, *timed.max_abs_error});
+  for (const TimedForm& form : forms) offers.push_back({form.ns.median, *form.max_abs_error});
   std::vector<TimedForm> front;
-  for (const std::size_t i : front_of(offers)) front.push_back(all[i]);
+  for (const std::size_t i : front_of(offers)) front.push_back(forms[i]);
   return front;
 }
 

@@ -7,6 +7,7 @@
 #include "bench/forms/kernel.hpp"
 #include "bench/timing/machine.hpp"
 #include "bench/timing/statistics.hpp"
+#include "bench/timing/timing.hpp"
 
 /// Run time against error: the measurements of every form, and derived values.
 namespace shadefit::bench {
@@ -48,6 +49,9 @@ struct TimedForm {
   /// device in float.
   std::optional<double> multiply_adds;
   std::optional<DeviceTimes> on_device;  ///< of a graphics device; then `width` and `place` mean nothing
+
+  /// Its times: those of a piece of work.
+  void take(const Samples& samples, const Work& work);
 };
 
 /// The target of forms, and its heading in the report.
@@ -90,14 +94,35 @@ bool is_same_way(const TimedForm& a, const TimedForm& b);
 /// The same way with its data in memory, or null.
 const TimedForm* in_memory(const Trade& trade, const TimedForm& timed);
 
+/// The form by which the time of another counts: the reference of its target, scalar, of its precision and
+/// place; null if there is none.
+const TimedForm* reference_of(const Trade& trade, const TimedForm& timed);
+
 /// Computes `copies` and `pows` of each form from the times of the others.
 void relate(Trade& trade);
+
+/// The ratios that were aimed at, from the times in float with the data in the first cache. A goal with a
+/// missing row counts as not reached.
+std::vector<Goal> goals_of(const Trade& trade);
 
 /// The fastest width of each form, set of constants, degree and precision of a target, if its error is known,
 /// with the data in the first cache.
 std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target);
 
-/// The forms among them on the front of time and error, the fastest first.
+/// The cost and the error of an offer; less of either is better.
+struct Offer {
+  double time;
+  double error;
+};
+
+/// The indices of the offers that no other offer dominates, the fastest and least accurate first. Of equal
+/// offers the first is kept. An offer with NaN is never on the front.
+std::vector<std::size_t> front_of(const std::vector<Offer>& offers);
+
+/// Those of some forms with errors that are on the front of time and error, the fastest first.
+std::vector<TimedForm> front_among(const std::vector<TimedForm>& forms);
+
+/// The forms among `fastest_of` on that front.
 std::vector<TimedForm> front_of_target(const Trade& trade, const std::string& target);
 
 }  // namespace shadefit::bench

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fit/support/user_error.hpp"
-#include "scene/files/short_text.hpp"
+#include "scene/files/messages.hpp"
 
 namespace shadefit::scene {
 std::string words_of(const JsonPlace& place) {

@@ -39,6 +39,13 @@ std::size_t element_count(const JsonPlace& array);
 /// Element `index` < element_count(array).
 JsonPlace element(const JsonPlace& array, std::size_t index);
 
+/// Calls `use` with each element of the array `key` of an object, if it exists.
+template <class Use>
+void for_each_element(const JsonPlace& object, std::string_view key, const Use& use) {
+  const auto array = member(object, key);
+  for (std::size_t i = 0; array && i < element_count(*array); ++i) use(element(*array, i));
+}
+
 /// The element of the array `key` of `object` with the index stored at `place`. Throws if the index is not a
 /// whole number or out of range.
 JsonPlace indexed_element(const JsonPlace& place, const JsonPlace& object, std::string_view key);

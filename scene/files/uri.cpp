@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "fit/support/user_error.hpp"
-#include "scene/files/short_text.hpp"
+#include "scene/files/messages.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -24,6 +24,10 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+char in_small_letters(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 /// "http" of "http://..", in small letters; empty if there is none. Source: Berners-Lee, Fielding, Masinter
 /// 2005, RFC 3986, section 3.1.
 std::string scheme_of(std::string_view uri) {
@@ -32,25 +36,21 @@ std::string scheme_of(std::string_view uri) {
   std::string scheme(uri.substr(0, end));
   for (char& c : scheme) {
     if (!is_letter(c) && !is_digit(c) && c != '+' && c != '-' && c != '.') return {};
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    c = in_small_letters(c);
   }
   return scheme;
 }
 
 /// The value of a hexadecimal digit; 16 for any other character.
 unsigned hexadecimal_value(char c) {
-  if (is_digit(c)) return static_cast<unsigned>(c - '0');
-  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
-  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
-  return 16;
+  constexpr std::string_view digits = "0123456789abcdef";
+  return static_cast<unsigned>(std::min(digits.find(in_small_letters(c)), digits.size()));
 }
 
 /// The value of a base64 digit; 64 for any other character.
 unsigned base64_value(char c) {
-  if (c >= 'A' && c <= 'Z') return static_cast<unsigned>(c - 'A');
-  if (c >= 'a' && c <= 'z') return static_cast<unsigned>(c - 'a') + 26;
-  if (is_digit(c)) return static_cast<unsigned>(c - '0') + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : 64;
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  return static_cast<unsigned>(std::min(digits.find(c), digits.size()));
 }
 
 std::string base64_decoded(std::string_view text) {
@@ -131,6 +131,10 @@ fs::path path_within(const fs::path& folder, std::string_view name) {
   if (error) throw UserError(fmt::format("'{}' cannot be followed: {}", shortened(name), error.message()));
   if (!is_below(root, path)) refuse();
   return path;
+}
+
+bool has_extension(const fs::path& file, std::string_view small_letters) {
+  return std::ranges::equal(file.extension().string(), small_letters, {}, in_small_letters);
 }
 
 fs::path folder_of(const fs::path& file) {

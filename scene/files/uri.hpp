@@ -26,6 +26,9 @@ std::string percent_decoded(std::string_view uri);
 /// in the files of many exporters. The file need not exist.
 std::filesystem::path path_within(const std::filesystem::path& folder, std::string_view name);
 
+/// Whether the name of a file ends with an extension such as ".glb", ignoring case.
+bool has_extension(const std::filesystem::path& file, std::string_view small_letters);
+
 /// The folder of a scene's file; names in the file are relative to it.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 

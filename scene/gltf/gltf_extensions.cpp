@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace shadefit::scene {
 namespace {
 
+/// The plan depends on these, and they are read.
 constexpr std::array<std::string_view, 7> counted{
     "KHR_animation_pointer",  "KHR_lights_punctual",
     "KHR_materials_ior",      "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_specular", "KHR_materials_unlit",
     "KHR_materials_variants"};
 
-// Textures in the formats of these extensions are not read; a material that uses one says so.
+/// Geometry, coding, visibility: they change no specular term. Textures in the formats of these extensions
+/// are not read; a material that uses one says so.
 constexpr std::array<std::string_view, 16> harmless{"EXT_mesh_gpu_instancing",
                                                     "EXT_meshopt_compression",
                                                     "EXT_texture_avif",
@@ -30,6 +33,7 @@ constexpr std::array<std::string_view, 16> harmless{"EXT_mesh_gpu_instancing",
                                                     "MSFT_lod",
                                                     "MSFT_texture_dds"};
 
+/// They add something to a picture that a plan does not cover.
 constexpr std::array<std::string_view, 11> left_out{"EXT_lights_ies",
                                                     "EXT_lights_image_based",
                                                     "KHR_materials_anisotropy",
@@ -42,17 +46,22 @@ constexpr std::array<std::string_view, 11> left_out{"EXT_lights_ies",
                                                     "KHR_materials_transmission",
                                                     "KHR_materials_volume"};
 
-template <class Names>
-bool is_among(const Names& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool is_among(std::span<const std::string_view> names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+bool is_covered(std::string_view name) {
+  return is_among(counted, name) || is_among(harmless, name);
 }
 
 }  // namespace
 
-ExtensionUse use_of_extension(std::string_view name) {
-  if (is_among(counted, name)) return ExtensionUse::counted;
-  if (is_among(harmless, name)) return ExtensionUse::harmless;
-  return is_among(left_out, name) ? ExtensionUse::left_out : ExtensionUse::unknown;
+bool is_known_extension(std::string_view name) {
+  return is_covered(name) || is_among(left_out, name);
+}
+
+bool is_left_out(std::string_view name) {
+  return !is_covered(name);
 }
 
 }  // namespace shadefit::scene

@@ -6,15 +6,11 @@
 
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
-#include "scene/files/place.hpp"
-#include "scene/files/short_text.hpp"
+#include "scene/files/messages.hpp"
 #include "scene/files/uri.hpp"
 
 namespace shadefit::scene {
 namespace {
-
-/// The size of an uncompressed picture of `most_pixels` with four channels.
-constexpr std::uintmax_t most_picture_bytes = 4 * most_pixels;
 
 /// The file named by the URI at a place; nothing if the URI is data or remote.
 std::optional<std::filesystem::path> file_of_uri(const JsonPlace& place,
@@ -53,7 +49,7 @@ TextureReading GltfImages::read_image(const JsonPlace& image, std::span<const Ch
   const auto uri = member(image, "uri"), view = member(image, "bufferView");
   if (uri.has_value() == view.has_value()) refuse(image, "it must have a uri or a bufferView, and not both");
   const auto missing = [&](const std::filesystem::path& path) {
-    const std::string name = path.lexically_relative(std::filesystem::weakly_canonical(folder_)).string();
+    const std::string name = name_in_folder(path);
     named_as_unknown_.insert(name);
     return TextureReading{{}, fmt::format("'{}' is missing", name)};
   };
@@ -116,17 +112,20 @@ std::string GltfImages::bytes_of_view(const JsonPlace& view) {
   return std::string(content.substr(offset, length));
 }
 
+std::string GltfImages::name_in_folder(const std::filesystem::path& file) const {
+  return file.lexically_relative(std::filesystem::weakly_canonical(folder_)).string();
+}
+
 std::vector<std::string> GltfImages::missing_files() const {
   std::set<std::string> names;
   for (const std::string_view key : {"buffers", "images"}) {
-    const auto array = member(root_, key);
-    for (std::size_t i = 0; array && i < element_count(*array); ++i) {
-      const auto uri = member(element(*array, i), "uri");
+    for_each_element(root_, key, [&](const JsonPlace& place) {
+      const auto uri = member(place, "uri");
       const auto file = uri ? file_of_uri(*uri, folder_) : std::nullopt;
-      if (!file || is_there(*file)) continue;
-      const std::string name = file->lexically_relative(std::filesystem::weakly_canonical(folder_)).string();
+      if (!file || is_there(*file)) return;
+      const std::string name = name_in_folder(*file);
       if (!named_as_unknown_.contains(name)) names.insert(name);
-    }
+    });
   }
   return {names.begin(), names.end()};
 }

@@ -42,6 +42,7 @@ class GltfImages {
   TextureReading read_image(const JsonPlace& image, std::span<const Channel> channels);
   TextureReading decode(const JsonPlace& image, const std::string& name, Bytes encoded,
                         std::span<const Channel> channels);
+  std::string name_in_folder(const std::filesystem::path& file) const;
   std::string bytes_of_view(const JsonPlace& view);
   const std::string& data_of_buffer(const JsonPlace& buffer, std::string_view uri);
 

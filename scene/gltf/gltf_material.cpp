@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "approx/fresnel.hpp"
-#include "scene/files/short_text.hpp"
+#include "scene/files/messages.hpp"
 #include "scene/gltf/gltf_extensions.hpp"
 #include "scene/materials/powers.hpp"
 #include "scene/materials/reflectances.hpp"
@@ -169,9 +169,7 @@ void note_left_out(const JsonPlace& place, Material& material) {
   const auto extensions = member(place, "extensions");
   if (!extensions) return;
   for (const auto& [name, ignored] : extensions->value->items()) {
-    const ExtensionUse use = use_of_extension(name);
-    if (use == ExtensionUse::left_out || use == ExtensionUse::unknown)
-      material.remarks.push_back(fmt::format("{} is left out", shortened(name)));
+    if (is_left_out(name)) material.remarks.push_back(fmt::format("{} is left out", shortened(name)));
   }
 }
 

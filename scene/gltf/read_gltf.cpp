@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/json_document.hpp"
 #include "scene/files/json_place.hpp"
-#include "scene/files/limits.hpp"
-#include "scene/files/place.hpp"
-#include "scene/files/short_text.hpp"
-#include "scene/gltf/extension.hpp"
+#include "scene/files/messages.hpp"
+#include "scene/files/uri.hpp"
 #include "scene/gltf/glb.hpp"
 #include "scene/gltf/gltf_extensions.hpp"
 #include "scene/gltf/gltf_images.hpp"
-#include "scene/gltf/gltf_lights.hpp"
 #include "scene/gltf/gltf_material.hpp"
 
 namespace shadefit::scene {
@@ -35,17 +33,10 @@ void require_version(const JsonPlace& root) {
   if (!text_at(version).starts_with("2.")) refuse(version, "it must be 2.0");
 }
 
-/// Calls `use` with each element of the array `key` of an object, if it exists.
-template <class Use>
-void for_each_element(const JsonPlace& object, std::string_view key, const Use& use) {
-  const auto array = member(object, key);
-  for (std::size_t i = 0; array && i < element_count(*array); ++i) use(element(*array, i));
-}
-
 /// Refuses a file that requires unknown extensions.
 void require_known_extensions(const JsonPlace& root) {
   for_each_element(root, "extensionsRequired", [](const JsonPlace& name) {
-    if (use_of_extension(text_at(name)) == ExtensionUse::unknown)
+    if (!is_known_extension(text_at(name)))
       refuse(name, "the file requires this extension, and it is not known");
   });
 }
@@ -60,9 +51,7 @@ std::vector<std::string> extensions_left_out(const JsonPlace& root) {
   });
   for_each_element(root, "extensionsUsed", [&](const JsonPlace& place) {
     const std::string_view name = text_at(place);
-    const ExtensionUse use = use_of_extension(name);
-    const bool is_left_out = use == ExtensionUse::left_out || use == ExtensionUse::unknown;
-    if (is_left_out && !of_materials.contains(std::string(name)))
+    if (is_left_out(name) && !of_materials.contains(std::string(name)))
       remarks.insert(fmt::format("{} is left out", shortened(name)));
   });
   return {remarks.begin(), remarks.end()};
@@ -119,6 +108,63 @@ std::set<std::string> animated_pointers(const JsonPlace& root) {
     });
   });
   return pointers;
+}
+
+/// The lights of a document.
+struct GltfLights {
+  int count = 0;  ///< the lights of nodes; if nodes have none, the defined lights
+  /// The lights that are brighter than 1, the light that the tolerance assumes; empty if there are none.
+  std::string remark = {};
+};
+
+/// "'sun' (100000 lux)", if the light is or may become brighter than 1; else empty.
+std::string bright_light(const JsonPlace& light, const std::set<std::string>& animated) {
+  const double intensity = number_or(light, "intensity", 0, std::numeric_limits<double>::infinity(), 1);
+  const bool is_animated = animated.contains(light.pointer + "/intensity");
+  if (intensity <= 1 && !is_animated) return {};
+  const auto name = member(light, "name"), type = member(light, "type");
+  const bool is_directional = type && text_at(*type) == "directional";
+  return fmt::format("{} ({:g} {}{})", name ? fmt::format("'{}'", shortened(text_at(*name))) : light.pointer,
+                     intensity, is_directional ? "lux" : "candela", is_animated ? ", animated" : "");
+}
+
+std::string remark_on(const std::vector<std::string>& bright) {
+  if (bright.empty()) return {};
+  constexpr std::size_t most_named = 4;
+  std::string names = bright.front();
+  for (std::size_t i = 1; i < std::min(bright.size(), most_named); ++i) names += ", " + bright[i];
+  if (bright.size() > most_named) names += fmt::format(" and {} more", bright.size() - most_named);
+  return fmt::format(
+      "lights above 1: {}. The tolerance is for a light of 1, which shows white: an error of these is as many "
+      "times larger before exposure",
+      names);
+}
+
+/// The lights of KHR_lights_punctual. `animated` holds the JSON pointers that are animated. Throws UserError
+/// naming file, place and rule. Source: Khronos Group 2018, "KHR_lights_punctual".
+/// Nodes are read as a flat list without their hierarchy, so cycles do no harm.
+GltfLights read_gltf_lights(const JsonPlace& root, const std::set<std::string>& animated) {
+  const nlohmann::json nothing = nlohmann::json::object();
+  const JsonPlace holder = extension(root, "KHR_lights_punctual")
+                               .value_or(JsonPlace{&nothing, "/extensions/KHR_lights_punctual", root.file});
+  std::set<std::size_t> used;
+  int referenced = 0;
+  for_each_element(root, "nodes", [&](const JsonPlace& place) {
+    const auto node = extension(place, "KHR_lights_punctual");
+    if (!node) return;
+    const JsonPlace index = required_member(*node, "light");
+    indexed_element(index, holder, "lights");
+    used.insert(whole_number(index));
+    ++referenced;
+  });
+  std::size_t defined = 0;
+  std::vector<std::string> bright;
+  for_each_element(holder, "lights", [&](const JsonPlace& place) {
+    if (const std::size_t i = defined++; referenced > 0 && !used.contains(i)) return;
+    const std::string light = bright_light(place, animated);
+    if (!light.empty()) bright.push_back(light);
+  });
+  return {referenced > 0 ? referenced : static_cast<int>(defined), remark_on(bright)};
 }
 
 Scene read_document(const JsonPlace& root, const std::optional<Bytes>& binary,

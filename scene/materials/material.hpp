@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,10 @@ inline constexpr double most_power = 1e9;
 /// The largest accepted Ks, although a colour should be at most 1. With the largest power, the normalised
 /// lobe still fits in a float.
 inline constexpr double most_factor = 1e6;
+
+/// The most materials of all files of a scene together. A material takes some thousand bytes in memory but
+/// may take only nine in a file: without a limit, a file of 64 MiB could use all memory.
+inline constexpr std::size_t most_materials = 65536;
 
 /// The contents of all files.
 struct Scene {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "fit/support/user_error.hpp"
-#include "scene/files/short_text.hpp"
+#include "scene/files/messages.hpp"
 #include "scene/files/words.hpp"
 
 namespace shadefit::scene {

@@ -8,17 +8,13 @@
 #include "approx/fresnel.hpp"
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
-#include "scene/files/place.hpp"
-#include "scene/files/short_text.hpp"
+#include "scene/files/messages.hpp"
 #include "scene/files/uri.hpp"
 #include "scene/materials/powers.hpp"
 #include "scene/materials/reflectances.hpp"
 
 namespace shadefit::scene {
 namespace {
-
-/// The size of an uncompressed picture of `most_pixels` with four channels.
-constexpr std::uintmax_t most_map_bytes = 4 * most_pixels;
 
 /// The state of reading a material.
 struct MtlReading {
@@ -30,20 +26,22 @@ struct MtlReading {
   Histogram read(const ScalarMap& map, std::string_view what) {
     return reader.read(map, what, material.unknowns);
   }
+
+  /// A map, or by the conventions another; null without both.
+  const ScalarMap* first_of(const ScalarMap& map, const ScalarMap& by_conventions) const {
+    if (!map.name.empty()) return &map;
+    return conventions.are_maps_pbr && !by_conventions.name.empty() ? &by_conventions : nullptr;
+  }
 };
 
 /// The roughness map of a material, if any: map_Pr, or map_Ns by the conventions.
 const ScalarMap* roughness_map(const MtlReading& reading) {
-  if (!reading.entry.roughness_map.name.empty()) return &reading.entry.roughness_map;
-  const bool has = reading.conventions.are_maps_pbr && !reading.entry.shininess_map.name.empty();
-  return has ? &reading.entry.shininess_map : nullptr;
+  return reading.first_of(reading.entry.roughness_map, reading.entry.shininess_map);
 }
 
 /// The metallic map, if any: map_Pm, or map_Ka by the conventions.
 const ScalarMap* metallic_map(const MtlReading& reading) {
-  if (!reading.entry.metallic_map.name.empty()) return &reading.entry.metallic_map;
-  const bool has = reading.conventions.are_maps_pbr && !reading.entry.ambient_map.name.empty();
-  return has ? &reading.entry.ambient_map : nullptr;
+  return reading.first_of(reading.entry.metallic_map, reading.entry.ambient_map);
 }
 
 /// Ns, times map_Ns if there is one.
@@ -148,7 +146,7 @@ Histogram MtlMapReader::read(const ScalarMap& map, std::string_view what,
   const auto known = read_.find(key);
   if (known != read_.end()) return known->second;
   if (!std::filesystem::exists(path, ignored)) return unknown("is missing");
-  const std::string encoded = read_bounded(path, most_map_bytes);
+  const std::string encoded = read_bounded(path, most_picture_bytes);
   if (picture_format(bytes_of(encoded)) == PictureFormat::other) return unknown("is neither PNG nor JPEG");
   const std::vector<Histogram> counted = at_place(fmt::format("'{}'", path.string()), [&] {
     return pictures_.histograms(bytes_of(encoded), {&map.channel, 1});

@@ -1,6 +1,5 @@
 #include "scene/plan/choose_exp2.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "approx/exp2_polynomial.hpp"
@@ -12,8 +11,7 @@ ChosenExp2 choose_exp2(double allowed, ShownScale scale) {
   constexpr double upwards = 1 + 0x1p-40;  // safety factor, larger than the rounding of these doubles
   ChosenExp2 chosen{};
   for (const Exp2Coefficients& record : exp2_for_float) {
-    double bound = 0;
-    std::from_chars(record.bound.data(), record.bound.data() + record.bound.size(), bound);
+    const auto bound = constant<double>(record.bound);
     chosen = {record.degree, apart_by_ratio(scale, 1, std::log1p(-bound) * upwards)};
     if (chosen.error <= allowed) break;
   }

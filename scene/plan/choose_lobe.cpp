@@ -1,7 +1,6 @@
 #include "scene/plan/choose_lobe.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "scene/plan/lobe_error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

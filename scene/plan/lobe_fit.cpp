@@ -2,8 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
 
 #include "approx/shading.hpp"

@@ -124,9 +124,7 @@ Range Lobes::range() const {
 }
 
 double Lobes::largest_factor() const {
-  double largest = 0;
-  for (const WeightedPower& lobe : all) largest = std::max(largest, lobe.factor);
-  return largest;
+  return std::ranges::max(all, {}, &WeightedPower::factor).factor;
 }
 
 Lobes lobes_of(const std::vector<Material>& materials, const std::vector<bool>& has_lobe) {

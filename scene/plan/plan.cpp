@@ -1,17 +1,15 @@
 #include "scene/plan/plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "approx/gloss.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
+#include "scene/materials/powers.hpp"
 #include "scene/plan/choose_exp2.hpp"
 #include "scene/plan/choose_lobe.hpp"
-#include "scene/plan/cutoff.hpp"
 #include "scene/plan/lobes.hpp"
-#include "scene/plan/plan_notes.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -20,6 +18,62 @@ namespace {
 /// and a lobe's width depends only on the logarithm of the threshold. The Fresnel term is cheap to keep, so
 /// little is reserved for dropping it. The lobe gets the rest.
 constexpr double for_cutoff = 0.1, for_fresnel = 0.3;
+
+/// The number of materials with a lobe and a roughness below the minimum of engines.
+long smooth_materials(const Scene& scene, const Plan& plan) {
+  const double most = power_of_roughness(least_engine_roughness, scene.conventions);
+  long smooth = 0;
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const bool has_roughness = scene.materials[i].fresnel == FresnelTerm::schlick;
+    if (plan.materials[i].has_lobe && has_roughness && plan.materials[i].power.most > most) ++smooth;
+  }
+  return smooth;
+}
+
+/// What the plan does not cover, what was changed, and what engines would change, one line each.
+std::vector<std::string> notes_of(const Scene& scene, const Plan& plan) {
+  std::vector<std::string> notes;
+  const PixelPrecision precision = plan.wanted.precision;
+  if (plan.dot_product_error > 0) {
+    notes.push_back("n.h by a dot product in " + std::string(name(precision)) + " is off by " +
+                    decimal_above(dot_product_rounding(precision), 3) + ", which moves a light by up to " +
+                    decimal_above(plan.dot_product_error, 2) + " more, whatever the form: not counted");
+  }
+  const double least = scene.conventions.min_roughness;
+  if (least > 0) {
+    notes.push_back("a roughness below " + decimal(least, 4) + " is taken for it");
+  } else if (const long smooth = smooth_materials(scene, plan); smooth > 0) {
+    notes.push_back("the roughness of " + counted(smooth, "material") +
+                    " falls below 0.045, the least that engines keep (Filament; three.js has 0.0525): "
+                    "--min-roughness takes it for more");
+  }
+  return notes;
+}
+
+/// Safety factor, larger than the rounding of a computed cut-off.
+constexpr double downwards = 1 - 0x1p-40;
+
+/// The least of (s (n + 2))^(-1/(n + shift)) over a range of powers, 1 at most. Its logarithm's slope has the
+/// sign of log(s (n + 2)) - (n + shift)/(n + 2), which rises with n: so the function falls to a single
+/// minimum and then rises.
+double least_root(double s, double shift, const Range& powers) {
+  const auto rises = [&](double n) { return std::log(s * (n + 2)) > (n + shift) / (n + 2); };
+  double n = powers.least, high = powers.most;
+  for (double middle = n; !rises(n) && (middle = n + (high - n) / 2) > n && middle < high;)
+    (rises(middle) ? high : n) = middle;
+  return n + shift > 0 ? std::min(1.0, std::exp(-std::log(s * (n + 2)) / (n + shift))) : 0;
+}
+
+/// A light adds at most g min(1, 2c) c^n, g = F (n + 2)/8. This is at most e for c below (e/g)^(1/n), and for
+/// c below (e/(2 g))^(1/(n + 1)). The larger of both is at least the larger of their minima.
+///
+/// Returns a cosine n.h in [0, 1]. Below it a light adds at most `error` to a material's displayed value, in
+/// linear values, for every power of the material.
+double cutoff_of(double error, const Material& material) {
+  const double per_error = largest_reflectance(material) / 8 / error;
+  const Range powers = powers_of(material);
+  return std::max(least_root(2 * per_error, 1, powers), least_root(per_error, 0, powers)) * downwards;
+}
 
 class Planner {
  public:
@@ -272,11 +326,9 @@ class Planner {
   void decide_colour() {
     plan_.shading.is_coloured = lobes_.is_coloured;
     const std::string metal = lobes_.has_metal ? "metals among them" : "no metal";
-    if (lobes_.is_coloured) {
-      decide("coloured F0", Treatment::keep, "three channels", "a reflectance is coloured, " + metal);
-    } else {
-      decide("coloured F0", Treatment::replace, "one channel", "every reflectance is grey, " + metal);
-    }
+    decide("coloured F0", lobes_.is_coloured ? Treatment::keep : Treatment::replace,
+           lobes_.is_coloured ? "three channels" : "one channel",
+           (lobes_.is_coloured ? "a reflectance is coloured, " : "every reflectance is grey, ") + metal);
   }
 
   void sum_up() {

@@ -2,27 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <string_view>
 
 #include "fit/support/user_error.hpp"
 #include "scene/textures/texels.hpp"
 
 namespace shadefit::scene {
-namespace {
-
-template <std::size_t N>
-bool begins_with(Bytes bytes, const std::array<std::uint8_t, N>& signature) {
-  return bytes.size() >= N && std::equal(signature.begin(), signature.end(), bytes.begin());
-}
-
-}  // namespace
 
 PictureFormat picture_format(Bytes encoded) {
-  constexpr std::array<std::uint8_t, 8> png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-  constexpr std::array<std::uint8_t, 3> jpeg{0xFF, 0xD8, 0xFF};
-  if (begins_with(encoded, png)) return PictureFormat::png;
-  return begins_with(encoded, jpeg) ? PictureFormat::jpeg : PictureFormat::other;
+  const std::string_view text = text_of(encoded);
+  if (text.starts_with("\x89PNG\r\n\x1A\n")) return PictureFormat::png;
+  return text.starts_with("\xFF\xD8\xFF") ? PictureFormat::jpeg : PictureFormat::other;
 }
 
 std::vector<Histogram> PictureReader::histograms(Bytes encoded, std::span<const Channel> channels) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +18,9 @@ using Histogram = std::array<std::uint32_t, 256>;
 /// 8192 x 8192, the largest texture that most graphics processors of the last ten years accept. A header may
 /// claim more, and a few thousand bytes of PNG can hold it.
 inline constexpr std::uint64_t most_pixels = 64 << 20;
+
+/// The size of an uncompressed picture of `most_pixels` with four channels: no file is larger.
+inline constexpr std::uintmax_t most_picture_bytes = 4 * most_pixels;
 
 /// For all pictures of a scene together: about a minute's work. Nothing else limits the time for many small
 /// files with large pictures.

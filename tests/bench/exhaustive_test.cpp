@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/exhaustive/float_errors.hpp"
-#include "bench/exhaustive/shared_truth.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/exhaustive/sweep.hpp"
 #include "fit/support/user_error.hpp"
@@ -20,6 +19,13 @@
 
 namespace shadefit::bench {
 namespace {
+
+/// Tests the remaining floats of one sweep.
+void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
+           std::uint32_t batch = usual_batch) {
+  const RunningSweep running{&sweep, &subject};
+  go_on_together(std::span(&running, 1), threads, between, batch);
+}
 
 using shadefit::testing::refusal;
 using shadefit::testing::TemporaryDirectory;

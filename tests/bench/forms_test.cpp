@@ -70,30 +70,16 @@ struct Data {
   }
 };
 
-std::vector<CompiledForm> forms_of(Width width) {
-  switch (width) {
-    case Width::scalar:
-      return scalar_forms();
-    case Width::sse2:
-      return sse2_forms();
-    case Width::avx2:
-      return avx2_forms();
-    case Width::avx512:
-      return avx512_forms();
-  }
-  return {};
-}
-
 /// Whether a kernel uses only basic operations, which are rounded the same everywhere.
 bool is_basic(const FormEntry& form, const CompiledForm& compiled) {
   return form.function == Function::none || compiled.exp2_degree > 0;
 }
 
 TEST(Kernels, AreTheSameListForEveryWidth) {
-  const auto scalar = scalar_forms();
+  const auto scalar = compiled_forms(Width::scalar);
   EXPECT_EQ(scalar.front().form, "copy");
   for (const Width width : {Width::sse2, Width::avx2, Width::avx512}) {
-    const auto other = forms_of(width);
+    const auto other = compiled_forms(width);
     ASSERT_EQ(other.size(), scalar.size());
     for (std::size_t i = 0; i < scalar.size(); ++i) {
       EXPECT_EQ(other[i].form, scalar[i].form);
@@ -126,7 +112,7 @@ TEST(Kernels, HaveWidthsThatTheMachineHas) {
 TEST(Kernels, Copy) {
   for (const Width width : widths_here()) {
     const Data<float> data(all().targets.front());
-    EXPECT_EQ(data.run(forms_of(width).front().in_float, {}), data.in[0]) << name(width);
+    EXPECT_EQ(data.run(compiled_forms(width).front().in_float, {}), data.in[0]) << name(width);
   }
 }
 
@@ -182,7 +168,7 @@ void expect_near(const std::vector<R>& expected, const std::vector<R>& found, do
 
 TEST(Kernels, OfEveryWidthAreNearTheScalarOnes) {
   for (const Width width : widths_here()) {
-    const auto wide = forms_of(width);
+    const auto wide = compiled_forms(width);
     for (const FormEntry& form : all().forms) {
       const Target& target = target_of(all(), form.target);
       const Data<float> floats(target);
@@ -220,7 +206,7 @@ TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
       const auto pairing = pair_exp2(target, form.id, *constants);
       if (!pairing) continue;
       for (const Width width : widths_here()) {
-        for (const CompiledForm& compiled : forms_of(width)) {
+        for (const CompiledForm& compiled : compiled_forms(width)) {
           if (compiled.form != form.id || compiled.exp2_degree != pairing->degree) continue;
           ++kept;
           const auto out = data.run(compiled.in_float, parameters_of(target, *constants));
@@ -240,7 +226,7 @@ TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
 std::vector<float> exp2_by_kernel(Width width, int degree, std::vector<float> x) {
   x.resize(64, 0.0F);
   std::vector<float> out(x.size());
-  for (const CompiledForm& compiled : forms_of(width)) {
+  for (const CompiledForm& compiled : compiled_forms(width)) {
     if (compiled.form != "fresnel-one-term" || compiled.exp2_degree != degree) continue;
     const std::vector<float> parameters{-1.0F};
     compiled.in_float({{x.data(), nullptr, nullptr}, nullptr, out.data(), x.size()}, parameters);

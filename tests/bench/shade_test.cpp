@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bench/shading/measure.hpp"
-#include "bench/shading/operations.hpp"
 #include "bench/shading/picture.hpp"
 #include "bench/shading/tables.hpp"
 #include "tests/bench/shaded_scenes.hpp"
@@ -98,8 +97,9 @@ TEST(ShadeWorkload, TakesPowersByTheirShares) {
   const Workload workload(scene, 1);
   std::size_t sharp = 0, all = 0;
   for (const Visit& visit : workload.visits()) {
-    for (std::size_t i = 0; i < visit.alpha.size(); i += tile_pixels, ++all)
-      sharp += visit.alpha[i] < static_cast<float>(alpha_of_power(20)) ? 1U : 0U;
+    for (std::size_t i = 0; i < std::get<std::vector<float>>(visit.alpha).size(); i += tile_pixels, ++all)
+      sharp +=
+          std::get<std::vector<float>>(visit.alpha)[i] < static_cast<float>(alpha_of_power(20)) ? 1U : 0U;
   }
   EXPECT_NEAR(static_cast<double>(sharp) / static_cast<double>(all), 0.25, 0.01);
 }

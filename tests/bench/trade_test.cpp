@@ -8,12 +8,8 @@
 
 #include "bench/timing/machine.hpp"
 #include "bench/timing/timing.hpp"
-#include "bench/tradeoff/advice.hpp"
-#include "bench/tradeoff/front.hpp"
 #include "bench/tradeoff/labels.hpp"
-#include "bench/tradeoff/pareto_figure.hpp"
 #include "bench/tradeoff/report.hpp"
-#include "bench/tradeoff/tables.hpp"
 #include "reports/table/writers.hpp"
 #include "tests/bench/made_up_trade.hpp"
 

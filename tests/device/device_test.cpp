@@ -12,7 +12,6 @@
 #include "bench/device/form_functions.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/half_errors.hpp"
-#include "bench/device/half_probe.hpp"
 #include "bench/device/probe.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/device/on_device.hpp"
@@ -237,12 +236,11 @@ TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
   const Chosen chosen("lobe-squarings");
   const FormFunction form = form_function(*chosen.target, *chosen.form, chosen.form->constants.front());
   const auto device = std::make_shared<SweptDevice>(VulkanDevice({.is_watched = true}));
-  const FormSweep sweep(device, form, usual_gpu);
   bench::FloatSubject subject;
   subject.truth = [](const float* in, double* out, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) out[i] = std::pow(static_cast<double>(in[i]), 16);
   };
-  sweep.take_over(subject);
+  sweep_on_device(subject, device, form, usual_gpu);
   const bench::Stretch stretch{0x3f000000, 0x3f000000 + (1U << 20) + 7};
   const bench::FloatErrors found = bench::errors_on(subject, stretch, 2);
   EXPECT_EQ(found.count(), stretch.size());

@@ -8,7 +8,6 @@
 
 #include "app/commands/command_line.hpp"
 #include "bench/device/form_functions.hpp"
-#include "bench/device/times/device_errors.hpp"
 #include "bench/device/times/measure_device.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "bench/tradeoff/grid_errors.hpp"

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "fit/support/json_document.hpp"
-#include "scene/files/limits.hpp"
 #include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "scene/files/limits.hpp"
 #include "scene/mtl/read_mtl.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/files/limits.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 

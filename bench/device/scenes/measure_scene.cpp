@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "bench/device/device_clock.hpp"
+#include "bench/device/dispatches.hpp"
 #include "bench/shading/picture.hpp"
 #include "bench/shading/workload.hpp"
 #include "bench/timing/statistics.hpp"

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "approx/microfacet.hpp"
-#include "bench/device/device_clock.hpp"
+#include "bench/device/dispatches.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "bench/device/vulkan_device.hpp"
 #include "bench/shading/kernels/full_terms.hpp"
@@ -116,17 +115,7 @@ std::string channel_of(const SceneShader& shader, char channel) {
 }  // namespace
 
 PowerSource source_of(const scene::Material& material) {
-  switch (material.power_texture) {
-    case scene::PowerTexture::none:
-      return PowerSource::material;
-    case scene::PowerTexture::roughness:
-      return PowerSource::roughness;
-    case scene::PowerTexture::gloss:
-      return PowerSource::gloss;
-    case scene::PowerTexture::power:
-      return PowerSource::power;
-  }
-  throw std::logic_error("a texture without a source");
+  return static_cast<PowerSource>(material.power_texture);
 }
 
 SceneShader planned_shader(const scene::Scene& scene, const scene::Plan& plan) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 /// with full formulas for every term.
 namespace shadefit::device {
 
-/// Where the power of a pixel comes from.
+/// Where the power of a pixel comes from: in the order of `scene::PowerTexture`.
 enum class PowerSource : std::uint32_t { material, roughness, gloss, power };
 
 PowerSource source_of(const scene::Material& material);

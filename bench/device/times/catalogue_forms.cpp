@@ -57,9 +57,7 @@ bench::TimedForm row_of(const FormFunction& function, bool is_first) {
 DeviceForms catalogue_forms(const forms::Catalogue& catalogue, const std::vector<std::string>& targets) {
   DeviceForms all;
   for (FormFunction& function : form_functions(catalogue)) {
-    const bool is_wanted =
-        targets.empty() || std::find(targets.begin(), targets.end(), function.target) != targets.end();
-    if (!is_wanted) continue;
+    if (!forms::is_wanted(targets, function.target)) continue;
     const bool is_first = all.targets.empty() || all.targets.back().heading.id != function.target;
     if (is_first) all.targets.push_back(target_on_device(catalogue, target_of(catalogue, function.target)));
     all.forms.push_back(

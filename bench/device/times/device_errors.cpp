@@ -1,4 +1,4 @@
-#include "bench/device/times/device_errors.hpp"
+#include "bench/device/times/measure_device.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,6 @@
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/spirv.hpp"
-#include "bench/device/times/measure_device.hpp"
 #include "fit/scalars/half.hpp"
 
 namespace shadefit::device {

@@ -2,31 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "bench/tradeoff/tables.hpp"
+#include "bench/tradeoff/report.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit::device {
 namespace {
 
-/// Three digits, because times are repeatable to a few percent.
-Cell measured(double value) {
-  return Number{value, 3};
-}
-Cell measured(const std::optional<double>& value) {
-  return value ? measured(*value) : Cell{};
-}
+using bench::measured;
 
 std::string target_section(const bench::Trade& trade, const bench::TimedTarget& target,
                            const std::vector<Figure>& figures) {
-  std::string text = fmt::format("## {}\n\n{}\n", target.title, device_advice(trade, target.id));
-  text += markdown_block(device_front_table(trade, target.id));
-  for (const Figure& figure : figures) {
-    if (figure.name != "pareto-" + target.id) continue;
-    text += fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", figure.caption, figure.name);
-  }
-  return text;
+  return fmt::format("## {}\n\n{}\n{}{}", target.title, device_advice(trade, target.id),
+                     markdown_block(device_front_table(trade, target.id)),
+                     bench::figure_block(figures, target));
 }
 
 }  // namespace

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <utility>
 
-#include "bench/device/times/device_errors.hpp"
-#include "bench/device/times/programme.hpp"
 #include "bench/forms/forms.hpp"
 #include "fit/support/user_error.hpp"
 

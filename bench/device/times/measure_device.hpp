@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "bench/device/times/device_forms.hpp"
 #include "bench/device/times/programme.hpp"
@@ -12,6 +14,14 @@ namespace shadefit::device {
 
 /// The largest |value - truth|, or infinity if a value is NaN.
 double largest_error(std::span<const float> values, std::span<const double> truth);
+
+/// How to open the device at a place for the values of these forms: its buffers are readable from here.
+DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms);
+
+/// The largest absolute error of each form on a device, in one precision. Empty if the target has no truth.
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
+                                                    ShaderPrecision precision,
+                                                    const std::function<void()>& between);
 
 /// How to open the device at a place for times: its buffers are in its own memory.
 DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan);

@@ -4,14 +4,6 @@
 #include <utility>
 
 namespace shadefit::device {
-
-std::uint32_t turns_that_take(double seconds, std::uint32_t most,
-                              const std::function<double(std::uint32_t)>& run) {
-  for (std::uint32_t turns = 1;; turns *= 2) {
-    if (run(turns) >= seconds || turns > most / 2) return turns;
-  }
-}
-
 namespace {
 
 constexpr auto factor_bits = std::bit_cast<std::uint32_t>(chain_factor);
@@ -23,6 +15,13 @@ std::uint32_t threads_of(const DeviceInfo& info) {
 }
 
 }  // namespace
+
+std::uint32_t turns_that_take(double seconds, std::uint32_t most,
+                              const std::function<double(std::uint32_t)>& run) {
+  for (std::uint32_t turns = 1;; turns *= 2) {
+    if (run(turns) >= seconds || turns > most / 2) return turns;
+  }
+}
 
 /// A shader on the device and the work of its dispatches. The clock is the device's.
 struct Programme::Timed {
@@ -64,9 +63,8 @@ std::vector<bench::Samples> Programme::run(const std::function<void(double)>& be
 }
 
 Programme::Timed Programme::timed(const std::string& shader, ShaderPrecision precision) {
-  auto spirv = compiler_.spirv(shader, ShaderLanguage::glsl);
-  if (precision == ShaderPrecision::float16) spirv = with_halves(spirv);
-  return {&device_, &seconds_, device_.load(spirv), threads_};
+  return {&device_, &seconds_, device_.load(compiler_.spirv(shader, ShaderLanguage::glsl, precision)),
+          threads_};
 }
 
 void Programme::add(const Timed& shader) {

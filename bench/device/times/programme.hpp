@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/device/device_clock.hpp"
+#include "bench/device/dispatches.hpp"
 #include "bench/device/spirv.hpp"
 #include "bench/device/times/timing_shader.hpp"
 #include "bench/device/vulkan_device.hpp"

@@ -5,11 +5,11 @@
 
 #include "bench/device/form_functions.hpp"
 #include "bench/device/times/device_forms.hpp"
+#include "bench/studies/measure_study.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/reserved_names.hpp"
-#include "reports/studies/study_comparison.hpp"
 
 namespace shadefit::device {
 namespace {
@@ -64,33 +64,10 @@ void require_names(const std::vector<std::string>& variables) {
   }
 }
 
-bench::TimedForm target_row(const StudyComparison& comparison, const std::string& id) {
-  bench::TimedForm row;
-  row.target = id;
-  row.form = "target";
-  row.label = "the target: " + comparison.study.target;
-  row.is_reference = true;
-  return row;
-}
-
-bench::TimedForm row_of(const StudyContender& contender, const std::string& id) {
-  bench::TimedForm row;
-  row.target = id;
-  row.form = contender.form;
-  row.constants = contender.origin;
-  row.label = contender.form + ", " +
-              (contender.published == nullptr ? contender.origin
-                                              : contender.origin.substr(0, contender.origin.find(',')));
-  return row;
-}
-
-void append(DeviceForms& all, const StudyComparison& comparison, const std::string& id) {
-  const auto& contenders = comparison.contenders;
-  if (contenders.empty())
-    throw UserError("no fit of '" + id + "' converged, and nothing was published: there is nothing to time");
+void append(DeviceForms& all, const StudyComparison& comparison, const bench::TimedTarget& heading) {
   require_names(comparison.variables);
-  const ReadStudy read = formulas_of(comparison, contenders.front());
-  DeviceTarget target{{id, target_of(comparison)}, {}, {}, {}};
+  const ReadStudy read = formulas_of(comparison, comparison.contenders.front());
+  DeviceTarget target{heading, {}, {}, {}};
   for (const StudyAxis& axis : read.axes) target.ranges.push_back({axis.lower, axis.upper});
   const std::size_t place = all.targets.size();
   const bool is_formula = comparison.study.rows == nullptr;
@@ -98,15 +75,15 @@ void append(DeviceForms& all, const StudyComparison& comparison, const std::stri
     target.places = grid_over(target.ranges);
     target.truth = in_double(read.target, comparison.variables);
     const ShaderFunction itself{form_name, comparison.variables, read.target};
-    if (has_code(itself)) all.forms.push_back({place, target_row(comparison, id), "target", itself});
+    if (has_code(itself)) all.forms.push_back({place, row_of(comparison, heading), "target", itself});
   }
   all.targets.push_back(std::move(target));
   std::vector<DeviceForm> added;
-  for (const StudyContender& contender : contenders) {
+  for (const StudyContender& contender : comparison.contenders) {
     const ShaderFunction function{form_name, comparison.variables, contender.code};
     if (!has_code(function))
       throw UserError(fmt::format("--device has no code for the form '{}'", contender.formula));
-    bench::TimedForm row = row_of(contender, id);
+    bench::TimedForm row = row_of(contender, heading);
     if (!is_formula)
       row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
     added.push_back({place, row, contender.form + ": " + to_text(contender.operations), function});
@@ -120,8 +97,8 @@ void append(DeviceForms& all, const StudyComparison& comparison, const std::stri
 
 DeviceForms study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons) {
   DeviceForms all;
-  for (std::size_t i = 0; i < comparisons.size(); ++i)
-    append(all, comparisons[i], comparisons.size() == 1 ? id : fmt::format("{}-{}", id, i + 1));
+  for (const StudyComparison& comparison : comparisons)
+    append(all, comparison, bench::timed_target(id, comparisons, comparison));
   return all;
 }
 

@@ -38,6 +38,14 @@ std::string place_in(const Range& range, std::size_t argument) {
                      range.from, range.to - range.from, steps.at(argument), places - 1, places);
 }
 
+/// A shader that runs a statement for each of the first words of the buffers.
+std::string words_shader(std::string_view with_word_i) {
+  return head() + fmt::format(
+                      "\nvoid main() {{\n"
+                      "  for (uint i = gl_GlobalInvocationID.x; i < push.count; i += push.factor) {}\n}}\n",
+                      with_word_i);
+}
+
 }  // namespace
 
 std::string timing_shader(const ShaderFunction& function, std::span<const Range> ranges,
@@ -62,18 +70,6 @@ std::string timing_shader(const ShaderFunction& function, std::span<const Range>
   }
   return code + fmt::format("  }}\n  result[gl_GlobalInvocationID.x] = {};\n}}\n", sum);
 }
-
-namespace {
-
-/// A shader that runs a statement for each of the first words of the buffers.
-std::string words_shader(std::string_view with_word_i) {
-  return head() + fmt::format(
-                      "\nvoid main() {{\n"
-                      "  for (uint i = gl_GlobalInvocationID.x; i < push.count; i += push.factor) {}\n}}\n",
-                      with_word_i);
-}
-
-}  // namespace
 
 std::string copying_shader() {
   return words_shader("result[i] = uintBitsToFloat(given[i]);");

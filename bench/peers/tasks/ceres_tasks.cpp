@@ -141,30 +141,31 @@ NodeResiduals<Form> residuals(double exponent, double end, bool by_sine, const T
   return result;
 }
 
-enum class Solver { tutorial, tutorial_tight, nodes, nodes_tight, tiny, tiny_tight };
+enum class Method { tutorial, nodes, tiny };
 
-bool is_tight(Solver solver) {
-  return solver == Solver::tutorial_tight || solver == Solver::nodes_tight || solver == Solver::tiny_tight;
-}
+struct Way {
+  Method method;
+  Tolerance tolerance;
+  std::string name;
+};
 
 /// One fit. Our nodes take the place of the tutorial's samples.
 template <class Form, class Target>
 std::array<double, Form::size> on_nodes(std::array<double, Form::size> start, double exponent, double end,
-                                        bool by_sine, const Target& target, Solver solver, Answer& answer) {
+                                        bool by_sine, const Target& target, const Way& way, Answer& answer) {
   constexpr std::size_t N = Form::size;
-  const Tolerance tolerance = is_tight(solver) ? Tolerance::tight : Tolerance::usual;
   auto all = residuals<Form>(exponent, end, by_sine, target);
-  if (solver == Solver::nodes || solver == Solver::nodes_tight) {
+  if (way.method == Method::nodes) {
     std::array<double, N> block = start;
     ceres::Problem problem;
     problem.AddResidualBlock(new ceres::AutoDiffCostFunction<NodeResiduals<Form>, node_count, Form::size>(
                                  new NodeResiduals<Form>(std::move(all))),
                              nullptr, block.data());
-    return solve<N>(problem, start, block.data(), tolerance, answer);
+    return solve<N>(problem, start, block.data(), way.tolerance, answer);
   }
   ceres::TinySolverAutoDiffFunction<NodeResiduals<Form>, node_count, Form::size> function(all);
   ceres::TinySolver<decltype(function)> tiny;
-  if (tolerance == Tolerance::tight) {
+  if (way.tolerance == Tolerance::tight) {
     tiny.options.gradient_tolerance = tiny.options.parameter_tolerance = 1e-16;
     tiny.options.function_tolerance = tiny.options.cost_threshold = 0;
     tiny.options.max_num_iterations = 200;
@@ -178,46 +179,38 @@ std::array<double, Form::size> on_nodes(std::array<double, Form::size> start, do
   return found;
 }
 
-bool is_tutorial(Solver solver) {
-  return solver == Solver::tutorial || solver == Solver::tutorial_tight;
-}
-
-Tolerance tolerance_of(Solver solver) {
-  return is_tight(solver) ? Tolerance::tight : Tolerance::usual;
-}
-
-Answer pair(Solver solver) {
+Answer pair(const Way& way) {
   Answer answer;
   const auto target = [](double c) { return std::pow(1 - c, 5); };
-  const auto p = is_tutorial(solver)
-                     ? tutorial<Pair>({-5, -5}, 0, 1, false, target, tolerance_of(solver), answer)
-                     : on_nodes<Pair>({-5, -5}, 0, 1, false, target, solver, answer);
+  const auto p = way.method == Method::tutorial
+                     ? tutorial<Pair>({-5, -5}, 0, 1, false, target, way.tolerance, answer)
+                     : on_nodes<Pair>({-5, -5}, 0, 1, false, target, way, answer);
   answer.add("a", p[0]);
   answer.add("b", p[1]);
   return answer;
 }
 
-Answer gaussians(Solver solver, const std::vector<double>& exponents) {
+Answer gaussians(const Way& way, const std::vector<double>& exponents) {
   Answer answer;
   for (const double k : exponents) {
     const auto in_c = [k](double c) { return std::pow(c, k); };
     const auto in_t = [k](double t) { return std::exp(k * std::log1p(-t / k)); };
-    const auto p = is_tutorial(solver)
-                       ? tutorial<GaussianInC>({0.5}, k, 1, false, in_c, tolerance_of(solver), answer)
-                       : on_nodes<GaussianInT>({0.5}, k, std::min(k, 24.0), false, in_t, solver, answer);
+    const auto p = way.method == Method::tutorial
+                       ? tutorial<GaussianInC>({0.5}, k, 1, false, in_c, way.tolerance, answer)
+                       : on_nodes<GaussianInT>({0.5}, k, std::min(k, 24.0), false, in_t, way, answer);
     answer.add("x", p[0], k);
   }
   return answer;
 }
 
-Answer blinns(Solver solver) {
+Answer blinns(const Way& way) {
   Answer answer;
   for (double rho = 2; rho <= 2048; rho *= 2) {
     const auto target = [rho](double angle) { return std::pow(std::max(std::cos(angle), 0.0), rho); };
     const auto p =
-        is_tutorial(solver)
-            ? tutorial<Blinn>({3}, rho, M_PI_2, true, target, tolerance_of(solver), answer)
-            : on_nodes<Blinn>({3}, rho, std::min(M_PI_2, 9 / std::sqrt(rho)), true, target, solver, answer);
+        way.method == Method::tutorial
+            ? tutorial<Blinn>({3}, rho, M_PI_2, true, target, way.tolerance, answer)
+            : on_nodes<Blinn>({3}, rho, std::min(M_PI_2, 9 / std::sqrt(rho)), true, target, way, answer);
     answer.add("x", p[0], rho);
   }
   return answer;
@@ -229,24 +222,20 @@ int main(int argc, char** argv) {
   google::InitGoogleLogging(argv[0]);
   FLAGS_minloglevel = 3;  // the answers contain the warnings of Ceres
   const std::vector<double> sweep{3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, large{100, 1e3, 1e4, 1e6};
-  struct Way {
-    Solver solver;
-    std::string name;
-  };
-  const std::vector<Way> ways{{Solver::tutorial, "1001 AutoDiff blocks, DENSE_QR, default"},
-                              {Solver::tutorial_tight, "1001 AutoDiff blocks, DENSE_QR, tight"},
-                              {Solver::nodes, "64 Gauss-Legendre nodes in one residual, default"},
-                              {Solver::nodes_tight, "64 Gauss-Legendre nodes in one residual, tight"},
-                              {Solver::tiny, "TinySolver, 64 Gauss-Legendre nodes, default"},
-                              {Solver::tiny_tight, "TinySolver, 64 Gauss-Legendre nodes, tight"}};
+  const std::vector<Way> ways{
+      {Method::tutorial, Tolerance::usual, "1001 AutoDiff blocks, DENSE_QR, default"},
+      {Method::tutorial, Tolerance::tight, "1001 AutoDiff blocks, DENSE_QR, tight"},
+      {Method::nodes, Tolerance::usual, "64 Gauss-Legendre nodes in one residual, default"},
+      {Method::nodes, Tolerance::tight, "64 Gauss-Legendre nodes in one residual, tight"},
+      {Method::tiny, Tolerance::usual, "TinySolver, 64 Gauss-Legendre nodes, default"},
+      {Method::tiny, Tolerance::tight, "TinySolver, 64 Gauss-Legendre nodes, tight"}};
   std::vector<Variant> variants;
-  for (const auto& [solver, name] : ways) {
-    const Solver way = solver;
-    const Standing standing = is_tutorial(way) ? Standing::judged : Standing::listed;
-    variants.push_back({"T1", name, standing, [way] { return pair(way); }});
-    variants.push_back({"T2", name, standing, [way, sweep] { return gaussians(way, sweep); }});
-    variants.push_back({"T2-large", name, standing, [way, large] { return gaussians(way, large); }});
-    variants.push_back({"T3", name, standing, [way] { return blinns(way); }});
+  for (const Way& way : ways) {
+    const Standing standing = way.method == Method::tutorial ? Standing::judged : Standing::listed;
+    variants.push_back({"T1", way.name, standing, [way] { return pair(way); }});
+    variants.push_back({"T2", way.name, standing, [way, sweep] { return gaussians(way, sweep); }});
+    variants.push_back({"T2-large", way.name, standing, [way, large] { return gaussians(way, large); }});
+    variants.push_back({"T3", way.name, standing, [way] { return blinns(way); }});
   }
   return peer_tasks::run_program(argc, argv, std::string("Ceres ") + CERES_VERSION_STRING, variants);
 }

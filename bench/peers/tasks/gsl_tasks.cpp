@@ -13,8 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "approx/fresnel.hpp"
@@ -194,36 +194,30 @@ Answer blinns(bool on_nodes) {
 
 // ---- roots of an integrated gradient ---------------------------------------------------------------------
 
-class Workspace {
- public:
-  Workspace() : inner_(gsl_integration_workspace_alloc(1000)) {}
-  ~Workspace() { gsl_integration_workspace_free(inner_); }
-  Workspace(const Workspace&) = delete;
-  Workspace& operator=(const Workspace&) = delete;
-  operator gsl_integration_workspace*() const { return inner_; }
+using Workspace = std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)>;
 
- private:
-  gsl_integration_workspace* inner_;
-};
+Workspace new_workspace() {
+  return {gsl_integration_workspace_alloc(1000), gsl_integration_workspace_free};
+}
 
 template <class F>
 double call(double x, void* f) {
   return (*static_cast<F*>(f))(x);
 }
 
-template <class F>
-double qags(F f, double from, double to, double absolute, double relative, const Workspace& workspace) {
-  gsl_function g{call<F>, &f};
-  double value = 0, error = 0;
-  gsl_integration_qags(&g, from, to, absolute, relative, 1000, workspace, &value, &error);
-  return value;
-}
+/// The adaptive rules: of 21 points, for singularities at the ends too, or of 61 points.
+enum class Rule { qags, qag61 };
 
 template <class F>
-double qag61(F f, double from, double to, double absolute, double relative, const Workspace& workspace) {
+double integral_of(Rule rule, F f, double from, double to, double absolute, double relative,
+                   const Workspace& workspace) {
   gsl_function g{call<F>, &f};
   double value = 0, error = 0;
-  gsl_integration_qag(&g, from, to, absolute, relative, 1000, GSL_INTEG_GAUSS61, workspace, &value, &error);
+  if (rule == Rule::qags)
+    gsl_integration_qags(&g, from, to, absolute, relative, 1000, workspace.get(), &value, &error);
+  else
+    gsl_integration_qag(&g, from, to, absolute, relative, 1000, GSL_INTEG_GAUSS61, workspace.get(), &value,
+                        &error);
   return value;
 }
 
@@ -235,13 +229,14 @@ int pair_gradient(const gsl_vector* p, void* context, gsl_vector* f) {
       const double form = std::exp2((a * c + b) * c), rest = 1 - c;
       return (form - rest * rest * rest * rest * rest) * form * (power == 2 ? c * c : c);
     };
-    gsl_vector_set(f, static_cast<std::size_t>(2 - power), qag61(slope, 0, 1, 1e-17, 1e-13, workspace));
+    gsl_vector_set(f, static_cast<std::size_t>(2 - power),
+                   integral_of(Rule::qag61, slope, 0, 1, 1e-17, 1e-13, workspace));
   }
   return GSL_SUCCESS;
 }
 
 Answer pair_by_root() {
-  const Workspace workspace;
+  const Workspace workspace = new_workspace();
   gsl_multiroot_function f{pair_gradient, 2, const_cast<Workspace*>(&workspace)};
   gsl_multiroot_fsolver* solver = gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, 2);
   double start[2] = {-5, -5};
@@ -277,14 +272,14 @@ double brent_root(F f, double low, double high) {
 
 Answer gaussians_by_root(const std::vector<double>& exponents) {
   Answer answer;
-  const Workspace workspace;
+  const Workspace workspace = new_workspace();
   for (const double k : exponents) {
     const auto gradient = [&](double x) {
       const auto slope = [=](double t) {
         const double form = std::exp(-(k + x) * t / k);
         return (form - std::exp(k * std::log1p(-t / k))) * form * t;
       };
-      return qag61(slope, 0, std::min(k, 24.0), 1e-17, 1e-13, workspace);
+      return integral_of(Rule::qag61, slope, 0, std::min(k, 24.0), 1e-17, 1e-13, workspace);
     };
     answer.add("x", brent_root(gradient, 0, 2), k);
   }
@@ -293,22 +288,21 @@ Answer gaussians_by_root(const std::vector<double>& exponents) {
 
 Answer blinns_by_root() {
   Answer answer;
-  const Workspace workspace;
+  const Workspace workspace = new_workspace();
   for (const double rho : powers) {
     const auto gradient = [&](double x) {
       const auto slope = [=](double t) {
         const double half = std::log1p(-t / (2 * rho)), form = std::exp(x * rho / 2 * half);
         return (form - std::exp(rho * std::log1p(-t / rho))) * form * half;
       };
-      return qag61(slope, 0, std::min(rho, 24.0), 1e-17, 1e-13, workspace);
+      return integral_of(Rule::qag61, slope, 0, std::min(rho, 24.0), 1e-17, 1e-13, workspace);
     };
     answer.add("x", brent_root(gradient, 3, 6), rho);
   }
   return answer;
 }
 
-// ---- minimax and the largest error
-// -------------------------------------------------------------------------
+// ---- minimax and the largest error ------------------------------------------------------------------------
 
 double pair_error(double c, double a, double b) {
   return std::exp2((a * c + b) * c) - std::pow(1 - c, 5);
@@ -373,14 +367,13 @@ Answer largest_error() {
 
 // ---- normalisation ----------------------------------------------------------------------------------------
 
-template <class Rule>
-Answer constants(bool in_angle, const Rule& rule) {
+Answer constants(Rule rule, bool in_angle) {
   Answer answer;
-  const Workspace workspace;
+  const Workspace workspace = new_workspace();
   const auto integrate = [&](const char* name, double n, const auto& lobe) {
     const auto over_angle = [&](double angle) { return lobe(std::cos(angle)) * std::sin(angle); };
-    const double integral =
-        in_angle ? rule(over_angle, 0, M_PI_2, 0, 1e-12, workspace) : rule(lobe, 0, 1, 0, 1e-12, workspace);
+    const double integral = in_angle ? integral_of(rule, over_angle, 0, M_PI_2, 0, 1e-12, workspace)
+                                     : integral_of(rule, lobe, 0, 1, 0, 1e-12, workspace);
     answer.add(name, 1 / (2 * M_PI * integral), n);
     if (integral == 0) answer.remark("integral 0");
   };
@@ -391,16 +384,6 @@ Answer constants(bool in_angle, const Rule& rule) {
     integrate("norm-blinn-phong-brdf", n, [n](double c) { return std::pow((1 + c) / 2, n / 2) * c; });
   }
   return answer;
-}
-
-Answer by_qags(bool in_angle) {
-  return constants(in_angle, [](auto f, double from, double to, double absolute, double relative,
-                                const Workspace& w) { return qags(f, from, to, absolute, relative, w); });
-}
-
-Answer by_qag61(bool in_angle) {
-  return constants(in_angle, [](auto f, double from, double to, double absolute, double relative,
-                                const Workspace& w) { return qag61(f, from, to, absolute, relative, w); });
 }
 
 }  // namespace
@@ -433,9 +416,9 @@ int main(int argc, char** argv) {
       {"T4-relative", "nmsimplex2 on the largest of 1001 samples", Standing::judged,
        [] { return minimax(true); }},
       {"T5", "grid of 1001, min_fminimizer_brent", Standing::judged, largest_error},
-      {"T6", "qags in the angle", Standing::judged, [] { return by_qags(true); }},
-      {"T6", "qags in the cosine", Standing::judged, [] { return by_qags(false); }},
-      {"T6", "qag61 in the angle", Standing::judged, [] { return by_qag61(true); }},
-      {"T6", "qag61 in the cosine", Standing::judged, [] { return by_qag61(false); }}};
+      {"T6", "qags in the angle", Standing::judged, [] { return constants(Rule::qags, true); }},
+      {"T6", "qags in the cosine", Standing::judged, [] { return constants(Rule::qags, false); }},
+      {"T6", "qag61 in the angle", Standing::judged, [] { return constants(Rule::qag61, true); }},
+      {"T6", "qag61 in the cosine", Standing::judged, [] { return constants(Rule::qag61, false); }}};
   return peer_tasks::run_program(argc, argv, std::string("GSL ") + gsl_version, variants);
 }

@@ -3,9 +3,7 @@
 #include "bench/peers/tasks/shadefit_tasks.hpp"
 
 #include <string>
-#include <vector>
 
-#include "bench/peers/tasks/task_program.hpp"
 #include "fit/families/families.hpp"
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/quadrature/metric.hpp"

@@ -2,7 +2,6 @@
 
 #include "bench/forms/batch_lanes.hpp"
 #include "bench/shading/kernels/full_loops.hpp"
-#include "bench/shading/kernels/kernel_units.hpp"
 #include "bench/shading/kernels/planned_loops.hpp"
 
 /// The kernels of one unit.

@@ -55,14 +55,8 @@ struct ReferenceForms {
   static PreparedPower<T> prepared(const T& power) {
     return {power, game_normalisation(power)};
   }
-  template <class T>
-  static T lobe(const T& n_dot_h, const T& power) {
-    return power_lobe(n_dot_h, power);
-  }
-  template <class T>
-  static T weight(const T& l_dot_h) {
-    return schlick_weight(l_dot_h);
-  }
+  static auto lobe(const auto& n_dot_h, const auto& power) { return power_lobe(n_dot_h, power); }
+  static auto weight(const auto& l_dot_h) { return schlick_weight(l_dot_h); }
 };
 
 /// The forms of the post: a Spherical Gaussian by exp2 with the mean offset, and exp2 of a quadratic for
@@ -73,8 +67,7 @@ struct PublishedForms {
     const T offset = published_constant<PublishedOffset, T>();
     return {(power + offset) * (integer<T>(1) / ln2<T>()), game_normalisation(power)};
   }
-  template <class T>
-  static T lobe(const T& n_dot_h, const T& base_two) {
+  static auto lobe(const auto& n_dot_h, const auto& base_two) {
     return gaussian_lobe_base_two(n_dot_h, base_two);
   }
   template <class T>

@@ -1,7 +1,5 @@
 #include "bench/shading/kernels/kernel.hpp"
 
-#include "bench/shading/kernels/kernel_units.hpp"
-
 namespace shadefit::shade {
 
 std::vector<Kernels> kernels_here() {

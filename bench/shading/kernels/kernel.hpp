@@ -67,6 +67,11 @@ struct Kernels {
   PlannedKernel planned;
 };
 
+/// The kernels of each width, each in its own unit, compiled with its instructions.
+struct KernelUnits {
+  static const Kernels sse2, avx2, avx512;
+};
+
 /// The kernels of each width that this machine has, narrowest first. Every x86-64 has SSE2.
 std::vector<Kernels> kernels_here();
 

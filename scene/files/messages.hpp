@@ -4,8 +4,20 @@
 #include <string>
 #include <string_view>
 
-/// Shortens texts from files for messages and tables.
+#include "fit/support/user_error.hpp"
+
+/// Texts and places from files, for messages and tables.
 namespace shadefit::scene {
+
+/// Returns the result of `work`. Rethrows its UserError with the place in front: "'a.gltf': /images/3: ...".
+template <class Work>
+auto at_place(const std::string& place, const Work& work) {
+  try {
+    return work();
+  } catch (const UserError& error) {
+    throw UserError(place + ": " + error.what());
+  }
+}
 
 /// A file may hold a name of 60 MB, and escaping or printing a text takes up to 40 times its memory.
 inline constexpr std::size_t most_shown_bytes = 200;
