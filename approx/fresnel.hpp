@@ -186,49 +186,42 @@ inline constexpr Family fresnel_one_term_family{
     .id = "fresnel-one-term",
     .title = "Fresnel by one exp2",
     .variables = "c = the cosine between view and half vector; A the sharpness in powers of two",
-    .sweep = "",
     .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
 
 inline constexpr Family fresnel_quadratic_family{
     .id = "fresnel-quadratic",
     .title = "Fresnel by exp2 of a quadratic",
     .variables = "c = the cosine between view and half vector; a, b the coefficients of the exponent",
-    .sweep = "",
     .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
 
 inline constexpr Family fresnel_cubic_family{
     .id = "fresnel-cubic",
     .title = "Fresnel by exp2 of a cubic",
     .variables = "c = the cosine between view and half vector; a, b, d the coefficients of the exponent",
-    .sweep = "",
     .is_comparison = true};
 
 inline constexpr Family fresnel_quartic_family{
     .id = "fresnel-quartic",
     .title = "Fresnel by exp2 of a quartic",
     .variables = "c = the cosine between view and half vector; a, b, d, g the coefficients of the exponent",
-    .sweep = "",
     .is_comparison = true};
 
 inline constexpr Family fresnel_fourth_family{
     .id = "fresnel-fourth",
     .title = "Fresnel by a scaled fourth power",
     .variables = "c = the cosine between view and half vector; s the scale",
-    .sweep = "",
     .is_comparison = true};
 
 inline constexpr Family fresnel_square_family{
     .id = "fresnel-square",
     .title = "Fresnel by a square and a quadratic",
     .variables = "c = the cosine between view and half vector; a, b the coefficients of the second factor",
-    .sweep = "",
     .is_comparison = true};
 
 inline constexpr Family fresnel_rational_family{
     .id = "fresnel-rational",
     .title = "Fresnel by a fourth power over a line",
     .variables = "c = the cosine between view and half vector; a > -1 the slope of the denominator",
-    .sweep = "",
     .is_comparison = true};
 
 inline constexpr std::array fresnel_quadratic_a_variants{
@@ -242,26 +235,19 @@ inline constexpr std::array fresnel_published{
               .parameter = "A",
               .printed = "8.35",
               .statement = Statement::best_fit,
-              .exponents = "",
-              .convention = {},
-              .source = sources::lagarde_2012,
-              .variants = {}},
+              .source = sources::lagarde_2012},
     Published{.id = "fresnel-offset-one",
               .family = "fresnel-one-term",
               .parameter = "A",
               .printed = "8.656170",
               .statement = Statement::best_fit,
-              .exponents = "",
               .convention = {"offset x = 1", "6/ln 2", &one_term_sharpness_at_offset_one<double>},
-              .source = sources::lagarde_2011_adopting,
-              .variants = {}},
+              .source = sources::lagarde_2011_adopting},
     Published{.id = "fresnel-quadratic-a",
               .family = "fresnel-quadratic",
               .parameter = "a",
               .printed = "-5.55473",
               .statement = Statement::best_fit,
-              .exponents = "",
-              .convention = {},
               .source = sources::lagarde_2012,
               .variants = fresnel_quadratic_a_variants},
     Published{.id = "fresnel-quadratic-b",
@@ -269,8 +255,6 @@ inline constexpr std::array fresnel_published{
               .parameter = "b",
               .printed = "-6.98316",
               .statement = Statement::best_fit,
-              .exponents = "",
-              .convention = {},
               .source = sources::lagarde_2012,
               .variants = fresnel_quadratic_b_variants},
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
 #include "approx/records/record.hpp"
 #include "approx/records/sources.hpp"
@@ -138,27 +137,20 @@ inline constexpr std::array sg_offset_published{
               .printed = "0.775",
               .statement = Statement::mean_of_fits,
               .exponents = "3:15:1",
-              .convention = {},
-              .source = sources::lagarde_2012,
-              .variants = {}},
+              .source = sources::lagarde_2012},
     Published{.id = "sg-offset-limit",
               .family = "sg-offset",
               .parameter = "x",
               .printed = "0.75",
               .statement = Statement::limit_of_fits,
-              .exponents = "",
-              .convention = {},
-              .source = sources::lagarde_2012,
-              .variants = {}},
+              .source = sources::lagarde_2012},
     Published{.id = "sg-offset-k5",
               .family = "sg-offset",
               .parameter = "x",
               .printed = "0.788",
               .statement = Statement::best_fit,
               .exponents = "5",
-              .convention = {},
-              .source = sources::lagarde_2012,
-              .variants = {}},
+              .source = sources::lagarde_2012},
 };
 
 }  // namespace shadefit

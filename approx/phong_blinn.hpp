@@ -68,19 +68,13 @@ inline constexpr std::array phong_blinn_published{
               .parameter = "x",
               .printed = "4",
               .statement = Statement::limit_of_fits,
-              .exponents = "",
-              .convention = {},
-              .source = sources::fisher_woo_1994,
-              .variants = {}},
+              .source = sources::fisher_woo_1994},
     Published{.id = "phong-blinn-gotanda",
               .family = "phong-blinn",
               .parameter = "x",
               .printed = "4.2",
               .statement = Statement::fit_somewhere,
-              .exponents = "",
-              .convention = {},
-              .source = sources::gotanda_2010,
-              .variants = {}},
+              .source = sources::gotanda_2010},
 };
 
 /// cos of the Phong angle, between the reflected light direction r = 2 (n.l) n - l and the view v:

@@ -91,7 +91,6 @@ inline constexpr std::array fresnel_claims{
           .printed = {{"", "-12.53789"}},
           .inputs = {{"a", fresnel_published[2].printed}, {"b", fresnel_published[3].printed}},
           .derivation = "a + b of the printed pair, in decimal. The unrounded optimum is shown too.",
-          .figure = {},
           .source = sources::lagarde_2012},
     Claim{.id = "fresnel-roughness",
           .statement =
@@ -102,7 +101,6 @@ inline constexpr std::array fresnel_claims{
               "With w = (1-c)^5, F - f0 = (m - f0) w and m - F = (m - f0)(1 - w), m = max(g, f0) >= f0: "
               "neither is negative while w is in [0, 1]. w falls with c, so the ends of the range of c are "
               "its extremes; F is computed there for all f0 and g in equal steps.",
-          .figure = {},
           .source = sources::lagarde_2011_adopting},
 };
 

@@ -27,7 +27,6 @@ inline constexpr std::array kernels_claims{
               "the angle misses theta^4/12, the spherical one, which adds theta^4/24, theta^4/8. So for "
               "sharp lobes its error is 2/3 as large; but it needs the angle, an arc cosine. With the chord "
               "for x the printed Gaussian is the spherical one. The tails of Abel-Poisson are algebraic.",
-          .figure = {},
           .source = sources::lagarde_2012},
 };
 

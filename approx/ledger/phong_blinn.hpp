@@ -32,7 +32,6 @@ inline constexpr std::array phong_blinn_claims{
               "cos(phong) - cos(2 blinn) is the Gram determinant of n, l, v over 1 + l.v: the factor is "
               "below 2 wherever they are not coplanar. At the peak it is 2 along the plane of n and v and 2 "
               "n.v across. 2 blinn exceeds phong by at most 2 asin(1 - n.v), for a light on the horizon.",
-          .figure = {},
           .source = sources::fisher_woo_1994},
 };
 

@@ -17,7 +17,6 @@ inline constexpr std::array von_mises_fisher_claims{
               "2 pi times the integral of e^(k c) over c in [-1, 1] is 4 pi sinh(k)/k. It is integrated as "
               "k/(2 pi (1 - e^(-2k))) e^(-k y), which is the same and never overflows, over t = k y up to "
               "48. The rest is less than e^(-48).",
-          .figure = {},
           .source = sources::lagarde_2012},
     Claim{.id = "vmf-large-k",
           .statement = "for `k > 2` the density is about `k/(2 pi)` `e^(-k(1-c))`",
@@ -28,7 +27,6 @@ inline constexpr std::array von_mises_fisher_claims{
               "angle. It is too small by e^(-2k) of its value, most at the smallest k. About is read as "
               "within 2 %, which holds from k = ln(50)/2 on. A smaller k would be `conditional`, as the "
               "claim then holds only from there on, and `refuted` where more than 5 % are missing.",
-          .figure = {},
           .source = sources::lagarde_2012},
 };
 

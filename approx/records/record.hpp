@@ -32,8 +32,8 @@ enum class Statement {
 
 /// A closed form that gives a published number by convention instead of a fit.
 struct Convention {
-  std::string_view name;     ///< empty: there is none
-  std::string_view formula;  ///< as text
+  std::string_view name = {};     ///< empty: there is none
+  std::string_view formula = {};  ///< as text
   double (*value)() = nullptr;
 };
 
@@ -44,10 +44,10 @@ struct Published {
   std::string_view parameter;  ///< which parameter of that family
   std::string_view printed;    ///< the digits as printed: their number matters
   Statement statement;
-  std::string_view exponents;  ///< "5", or a sweep "3:15:1"; empty where the family has none
-  Convention convention;
+  std::string_view exponents = {};  ///< "5", or a sweep "3:15:1"; empty where the family has none
+  Convention convention = {};
   Source source;
-  std::span<const Variant> variants;
+  std::span<const Variant> variants = {};
 };
 
 /// The trend of a curve with the angle, that is from c = 1 down to c = 0.
@@ -72,8 +72,8 @@ struct Family {
   std::string_view id;
   std::string_view title;
   std::string_view variables;  ///< what each letter means
-  std::string_view
-      sweep;  ///< exponents to fit by default: numbers and A:B:STEP, separated by commas; empty: no exponent
+  /// Exponents to fit by default: numbers and A:B:STEP, separated by commas; empty: no exponent.
+  std::string_view sweep = {};
   /// A form that no source names, for comparison: `fit` and `list` show it, a report only on request.
   bool is_comparison = false;
   CurveShape curve = {};

@@ -13,10 +13,6 @@ inline constexpr Source johnson_christy_1972{
     "Johnson, Christy", 1972, "Optical Constants of the Noble Metals", "Physical Review B 6, pp. 4370-4379",
     "https://doi.org/10.1103/PhysRevB.6.4370"};
 
-inline constexpr Source bayer_1973{"Bayer", 1973,
-                                   "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures",
-                                   "IEEE International Conference on Communications 1, pp. 11-15"};
-
 inline constexpr Source fisher_woo_1994{"Fisher, Woo", 1994, "R.E versus N.H Specular Highlights",
                                         "Graphics Gems IV, Academic Press, pp. 388-400"};
 

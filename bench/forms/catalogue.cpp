@@ -8,7 +8,7 @@
 #include "fit/exp2/pair_for_exp2.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
-#include "fit/verdicts/published_curve.hpp"
+#include "fit/verdicts/refit.hpp"
 
 namespace shadefit::forms {
 namespace {

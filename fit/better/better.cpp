@@ -4,7 +4,7 @@
 
 #include "approx/fresnel.hpp"
 #include "fit/scalars/symbolic.hpp"
-#include "fit/verdicts/published_curve.hpp"
+#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {
@@ -33,9 +33,7 @@ Contender contender(Kind kind, const FittableFamily& family, const Subject& subj
   for (const AlternationPoint& point : alternation) peaks.push_back(point.at);
   return {.kind = kind,
           .family = family.info.id,
-          .published = "",
           .form = to_text(family.form()),
-          .origin = "",
           .parameters = subject.parameters,
           .values = values,
           .operations = executed(family, subject.setting, values),
@@ -51,13 +49,11 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
   auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family.info)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first number
-    Subject subject{.family = std::string(family.info.id),
-                    .parameters = {},
-                    .setting = comparison.setting,
-                    .domain = options.domain};
+    Subject subject{
+        .family = std::string(family.info.id), .setting = comparison.setting, .domain = options.domain};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       subject.parameters.emplace_back(parameter, printed);
-    const bool is_known = std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
+    const bool is_known = std::ranges::any_of(contenders, [&](const Contender& other) {
       return other.family == family.info.id && other.parameters == subject.parameters;
     });
     if (is_known) continue;
@@ -106,12 +102,9 @@ void append_schlick(Comparison& comparison, const ComparisonOptions& options, co
       schlick_error(comparison.setting.surface, options.domain, options.width, checkpoint);
   const Symbolic form = comparison.family->target();
   comparison.contenders.push_back({.kind = Kind::published,
-                                   .family = "",
                                    .published = "schlick",
                                    .form = to_text(form),
                                    .origin = "Schlick 1994",
-                                   .parameters = {},
-                                   .values = {},
                                    .operations = count_operations(form),
                                    .max_abs_error = error.bounds,
                                    .at = error.absolute.at,
@@ -134,17 +127,10 @@ void append_target(Comparison& comparison) {
                                                      : "Fresnel's equations of a conductor";
   comparison.contenders.push_back(
       {.kind = Kind::target,
-       .family = "",
-       .published = "",
        .form = text,
        .origin = "the target itself",
-       .parameters = {},
-       .values = {},
        .operations = count_operations(runnable_target(*comparison.family, surface)),
-       .max_abs_error = {},
-       .at = std::nullopt,
-       .max_rel_error = 0,
-       .rms_error = 0});
+       .max_rel_error = 0});
 }
 
 /// Whether the proven error is smaller at no more instructions.
@@ -171,9 +157,8 @@ Comparison compare_forms(const FittableFamily& family, const Setting& setting,
     append_published(comparison, other, options, checkpoint);
     append_fits(comparison, other, options, checkpoint);
   }
-  std::stable_sort(contenders.begin(), contenders.end(), [](const Contender& a, const Contender& b) {
-    const bool is_first = a.kind == Kind::published, is_other_first = b.kind == Kind::published;
-    return is_first != is_other_first ? is_first : a.max_abs_error.upper < b.max_abs_error.upper;
+  std::ranges::stable_sort(contenders, {}, [](const Contender& c) {
+    return std::pair(c.kind != Kind::published, c.max_abs_error.upper);
   });
   for (Contender& contender : contenders) {
     if (contender.kind == Kind::target) continue;

@@ -20,17 +20,19 @@ struct Contender {
   enum class Kind { published, fitted, target };
 
   Kind kind;
-  std::string_view family;     ///< the id; empty for Schlick's formula and for the target itself
-  std::string_view published;  ///< the id of the first of the printed numbers, or "schlick"; else empty
-  std::string form;            ///< as text
-  std::string origin;          ///< where the constants come from: a source, or the objective of a fit
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< names and texts; hexadecimal for fits
-  std::vector<double> values;                                   ///< the same as doubles
-  Operations operations;                                        ///< with constants, as `emit` writes it
-  ErrorBounds max_abs_error;                                    ///< proven
-  std::optional<Cosine<double>> at;  ///< a place of the largest error; sampled; empty for the target itself
+  std::string_view family = {};     ///< the id; empty for Schlick's formula and for the target itself
+  std::string_view published = {};  ///< the id of the first of the printed numbers, or "schlick"; else empty
+  std::string form;                 ///< as text
+  std::string origin = {};          ///< where the constants come from: a source, or the objective of a fit
+  std::vector<std::pair<std::string, std::string>> parameters =
+      {};                           ///< names and texts; hexadecimal for fits
+  std::vector<double> values = {};  ///< the same as doubles
+  Operations operations;            ///< with constants, as `emit` writes it
+  ErrorBounds max_abs_error = {};   ///< proven
+  std::optional<Cosine<double>> at =
+      {};  ///< a place of the largest error; sampled; empty for the target itself
   std::optional<double> max_rel_error;  ///< sampled, relative to the family's `relative_to`
-  double rms_error;                     ///< uniform in the cosine
+  double rms_error = 0;                 ///< uniform in the cosine
   /// The published curves of the same target that have a larger proven error at no fewer instructions. Empty
   /// for the target itself, which is not an approximation.
   std::vector<std::string_view> beats = {};

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "approx/scalar.hpp"
-#include "fit/better/prove_properties.hpp"
+#include "fit/better/prove_contenders.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/user_error.hpp"
@@ -17,16 +17,6 @@ Study with_form(const Study& study, const StudyForm& form) {
   Study result = study;
   result.form = form.formula;
   return result;
-}
-
-Symbolic form_with(const ReadStudy& study, const std::vector<double>& values) {
-  return evaluate<Symbolic>(study.form, [&](const std::string& name) {
-    const auto& all = study.parameters;
-    const auto found = std::find(all.begin(), all.end(), name);
-    return found == all.end()
-               ? Symbolic::variable(name)
-               : Symbolic::number(to_text(values[static_cast<std::size_t>(found - all.begin())]));
-  });
 }
 
 /// The name of the error by which contenders are compared. Rows with sigma are weighted without being asked;
@@ -46,8 +36,8 @@ Effect effect_of(const SampledCurve& curve) {
 /// Whether a display can show the target, which may leave [0, 1] by a fortieth of an 8-bit code.
 bool is_shown(const SampledCurve& curve) {
   constexpr double slack = 1e-4;
-  return std::all_of(curve.target.begin(), curve.target.end(),
-                     [](double value) { return -slack <= value && value <= 1 + slack; });
+  return std::ranges::all_of(curve.target,
+                             [](double value) { return -slack <= value && value <= 1 + slack; });
 }
 
 StudyContender contender_of(const StudyForm& form, const Study& study, std::string origin,
@@ -58,7 +48,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
   const StudyExtremum largest = is_plain ? largest_error(read, values) : largest_weighted_error(read, values);
   const double rms = rms_error(read, StudyError(read), values);
   const SampledCurve curve = sample_curve(read, values);
-  const Symbolic code = form_with(read, values);
+  const Symbolic code = at_parameters(read, read.form, values);
   const std::vector<StudyProperty> properties = properties_of(read, curve, printed);
   StudyContender contender{.form = form.id,
                            .formula = form.formula,
@@ -92,9 +82,9 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     StudyContender contender = contender_of(form, study, set.source, values, printed, checkpoint);
     contender.published = &set;
     // Several sources may print the same digits.
-    const auto same = std::find_if(
-        comparison.contenders.begin(), comparison.contenders.end(),
-        [&](const StudyContender& other) { return other.form == form.id && other.printed == printed; });
+    const auto same = std::ranges::find_if(comparison.contenders, [&](const StudyContender& other) {
+      return other.form == form.id && other.printed == printed;
+    });
     StudyObjective asked = objective_of(study, file.norm, file.constraints);
     asked.recompute = file.recompute;
     contender.judgement =
@@ -186,11 +176,11 @@ std::vector<KeepingFit> keeping_fits(const StudyComparison& comparison, const St
     if (published.published == nullptr) continue;
     const StudyContender* best = least_error_at_the_same_cost(comparison, published);
     if (best == nullptr || lost_properties(published.properties, best->properties).empty()) continue;
-    const auto form = std::find_if(file.forms.begin(), file.forms.end(),
-                                   [&](const StudyForm& other) { return other.id == best->form; });
+    const auto form =
+        std::ranges::find_if(file.forms, [&](const StudyForm& other) { return other.id == best->form; });
     const StudyObjective objective =
         objective_of(with_form(comparison.study, *form), Norm::minimax, constraints_of(published.properties));
-    const bool is_there = std::any_of(fits.begin(), fits.end(), [&](const KeepingFit& other) {
+    const bool is_there = std::ranges::any_of(fits, [&](const KeepingFit& other) {
       return other.form == &*form && other.objective.words == objective.words;
     });
     if (!is_there) fits.push_back({&*form, objective});
@@ -262,8 +252,7 @@ std::size_t steps_to_compare(const StudyFile& file, const Study& study) {
 
 StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint,
                               const Checkpoint& next) {
-  StudyComparison comparison{
-      .study = study, .error = error_of(study), .variables = {}, .is_encoded = file.is_encoded};
+  StudyComparison comparison{.study = study, .error = error_of(study), .is_encoded = file.is_encoded};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
     const bool is_first = comparison.contenders.empty();
@@ -281,11 +270,10 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
     }
   }
   auto& contenders = comparison.contenders;
-  std::stable_sort(contenders.begin(), contenders.end(),
-                   [](const StudyContender& a, const StudyContender& b) {
-                     const bool is_first = a.published != nullptr, is_other_first = b.published != nullptr;
-                     return is_first != is_other_first ? is_first : comes_before(a, b);
-                   });
+  std::ranges::stable_sort(contenders, [](const StudyContender& a, const StudyContender& b) {
+    const bool is_first = a.published != nullptr, is_other_first = b.published != nullptr;
+    return is_first != is_other_first ? is_first : comes_before(a, b);
+  });
   for (StudyContender& contender : contenders) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       if (contenders[i].published != nullptr && is_better(contender, contenders[i]))

@@ -69,7 +69,7 @@ struct StudyComparison {
   /// Of all contenders: "max_abs_error", "max_rel_error", or "max_weighted_error" where the study has a
   /// weight. Of measured rows it is the largest residual.
   std::string_view error;
-  std::vector<std::string> variables;
+  std::vector<std::string> variables = {};
   bool is_encoded = false;  ///< as in `StudyFile`
   std::vector<StudyContender> contenders = {};
   std::vector<StudyProperty> properties = {};  ///< of the target

@@ -2,25 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
-#include "fit/better/prove_properties.hpp"
-#include "fit/study_proof/study_certificate.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/study_proof/prove_shape.hpp"
+#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
-bool has_integral(const Symbolic& formula) {
-  return formula.kind() == Symbolic::Kind::integral ||
-         std::any_of(formula.parts().begin(), formula.parts().end(), has_integral);
-}
-
 void prove(StudyContender& contender, const StudySubject& subject, const KnownIntegrals& known,
            const Checkpoint& checkpoint) {
   constexpr double width = 1e-4;  // the pages show four digits
-  const std::size_t most = has_integral(read_formulas(subject.study).target) ? 1'500 : 20'000;
+  const std::size_t most = integral_depth(read_formulas(subject.study).target) > 0 ? 1'500 : 20'000;
   try {
     const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most, known);
     contender.bound = certificate.upper;
@@ -50,14 +45,52 @@ std::set<const StudyContender*> contenders_to_prove(const StudyComparison& compa
   std::set<const StudyContender*> wanted;
   for (const StudyContender& contender : comparison.contenders) {
     if (contender.published == nullptr) continue;
-    wanted.insert(&contender);
-    if (const StudyContender* best = better_at_the_same_cost(comparison, contender)) wanted.insert(best);
-    if (const StudyContender* all = better_with_all_properties(comparison, contender)) wanted.insert(all);
+    wanted.insert({&contender, better_at_the_same_cost(comparison, contender),
+                   better_with_all_properties(comparison, contender)});
   }
   return wanted;
 }
 
+/// " near x = 0.333, y = 0.2"; empty without a place.
+std::string near_text(const Study& study, const std::vector<double>& place) {
+  std::string text;
+  for (std::size_t i = 0; i < place.size(); ++i)
+    text += fmt::format("{} {} = {:.3g}", i == 0 ? " near" : ",", study.over[i].variable, place[i]);
+  return text;
+}
+
 }  // namespace
+
+StudySubject subject_of(const Study& study, const StudyContender& contender) {
+  StudySubject subject{study, {}};
+  subject.study.form = contender.formula;
+  subject.study.held.clear();
+  subject.study.starts.clear();
+  for (StudyRange& range : subject.study.over) range.density = "1";  // only a fit has a density
+  Constants constants;
+  for (std::size_t i = 0; i < contender.names.size(); ++i)
+    constants.emplace_back(contender.names[i],
+                           contender.printed.empty() ? hex_text(contender.values[i]) : contender.printed[i]);
+  for (const Held& held : study.held) constants.emplace_back(held.parameter, hex_text(held.value));
+  subject.parameters = in_order(std::move(constants), read_formulas(subject.study).parameters);
+  return subject;
+}
+
+void prove_properties(const Study& study, double size, StudyContender& contender,
+                      const Checkpoint& checkpoint) {
+  if (contender.properties.empty()) return;
+  const StudySubject subject = subject_of(study, contender);
+  std::erase_if(contender.properties, [&](StudyProperty& property) {
+    const Constraints& constraints = property.constraints;
+    const ShapeProof found = property.digits > 0
+                                 ? prove_exact(subject, property.variable, constraints.exact_at.front(),
+                                               property.digits, checkpoint)
+                                 : prove_shape(subject, constraints, size, property.variable, checkpoint);
+    property.is_proven = found.proof == Proof::proven;
+    if (found.proof == Proof::open) property.unproven = found.reason + near_text(study, found.place);
+    return found.proof == Proof::refuted;
+  });
+}
 
 void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint) {
   const std::set<const StudyContender*> wanted = contenders_to_prove(comparison);

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fit/better/prove_properties.hpp"
+#include "fit/better/prove_contenders.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/rounding/study_in_format.hpp"
 #include "fit/study_proof/rounding_bound.hpp"
@@ -69,54 +70,40 @@ std::vector<double> values_of(const StudyComparison& comparison, const StudyCont
   return values;
 }
 
-/// By proof: a bound of the error in real numbers, plus a bound of what rounding adds.
+/// A contender in a format, and the study to evaluate other constants in.
 template <class Format>
-ContenderInFormat proven_in(const StudySubject& subject, const StudyContender& contender,
-                            const std::vector<double>& values, const Checkpoint& checkpoint) {
-  ContenderInFormat result = described<Format>(subject.parameters, rounded<Format>(values));
-  if (!result.reason.empty()) return result;
-  const double rounding = contender.bound ? bound_of_rounding<Format>(subject, checkpoint) : HUGE_VAL;
-  if (std::isfinite(rounding)) {
-    result.bound = std::nextafter(*contender.bound + rounding, HUGE_VAL);
-    result.evidence = Evidence::proven;
-  } else {
-    result.reason = "no bound proven";
-  }
-  return result;
-}
-
-ContenderInFormat in_float(const StudySubject& subject, const StudyContender& contender,
-                           const std::vector<double>& values, const Checkpoint& checkpoint) {
-  const ReadStudy read = read_formulas(subject.study);
-  if (!read.rows) return proven_in<FloatFormat>(subject, contender, values, checkpoint);
-  const std::vector<double> numbers = rounded<FloatFormat>(values);
-  ContenderInFormat result = described<FloatFormat>(subject.parameters, numbers);
-  if (!result.reason.empty()) return result;
-  StudyInFormat<FloatFormat> study(read, checkpoint);
-  evaluate(read, study, numbers, result);
-  return result;
-}
-
-/// A contender in half, and the study to evaluate other constants in.
-struct InHalf {
+struct RoundedContender {
   ContenderInFormat rounded;
   std::vector<double> numbers;
-  std::optional<StudyInFormat<HalfFormat>> study;  ///< none if a constant overflows, and in two variables
+  std::optional<StudyInFormat<Format>> study = {};  ///< none if a constant overflows, and after a proof
 };
 
-/// Empty if the range holds no half.
-std::optional<InHalf> in_half(const StudySubject& subject, const StudyContender& contender,
-                              const std::vector<double>& values, const Checkpoint& checkpoint) {
+/// In float and in two variables by proof: a bound of the error in real numbers, plus a bound of what
+/// rounding adds. Otherwise, and for rows, by evaluation; empty if the range holds no number of the format.
+template <class Format>
+std::optional<RoundedContender<Format>> rounded_to(const StudySubject& subject,
+                                                   const StudyContender& contender,
+                                                   const std::vector<double>& values,
+                                                   const Checkpoint& checkpoint) {
   const ReadStudy read = read_formulas(subject.study);
-  if (read.axes.size() > 1 && !read.rows)
-    return InHalf{proven_in<HalfFormat>(subject, contender, values, checkpoint), {}, {}};
-  InHalf half{{}, rounded<HalfFormat>(values), {}};
-  half.rounded = described<HalfFormat>(subject.parameters, half.numbers);
-  if (!half.rounded.reason.empty()) return half;
-  half.study.emplace(read, checkpoint);
-  if (half.study->size() == 0) return std::nullopt;
-  evaluate(read, *half.study, half.numbers, half.rounded);
-  return half;
+  const std::vector<double> numbers = rounded<Format>(values);
+  RoundedContender<Format> result{described<Format>(subject.parameters, numbers), numbers};
+  ContenderInFormat& in_format = result.rounded;
+  if (!in_format.reason.empty()) return result;
+  if (read.rows || (std::same_as<Format, HalfFormat> && read.axes.size() == 1)) {
+    result.study.emplace(read, checkpoint);
+    if (result.study->size() == 0) return std::nullopt;
+    evaluate(read, *result.study, numbers, in_format);
+    return result;
+  }
+  const double rounding = contender.bound ? bound_of_rounding<Format>(subject, checkpoint) : HUGE_VAL;
+  if (std::isfinite(rounding)) {
+    in_format.bound = std::nextafter(*contender.bound + rounding, HUGE_VAL);
+    in_format.evidence = Evidence::proven;
+  } else {
+    in_format.reason = "no bound proven";
+  }
+  return result;
 }
 
 /// The best that searches from each start find; empty if that gains no 1 % on the best start.
@@ -153,8 +140,8 @@ void round_contenders(StudyComparison& comparison, const Checkpoint& checkpoint)
     const StudySubject subject = subject_of(comparison.study, contender);
     if (!fault_of(subject).empty()) continue;
     const std::vector<double> values = values_of(comparison, contender);
-    contender.formats = {in_float(subject, contender, values, checkpoint)};
-    std::optional<InHalf> half = in_half(subject, contender, values, checkpoint);
+    contender.formats = {rounded_to<FloatFormat>(subject, contender, values, checkpoint)->rounded};
+    auto half = rounded_to<HalfFormat>(subject, contender, values, checkpoint);
     if (!half) continue;
     contender.formats.push_back(half->rounded);
     if (!half->study) continue;

@@ -1,7 +1,6 @@
 #include "fit/better/sampled_curve.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "fit/study/measured_rows.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -37,10 +36,7 @@ std::vector<std::vector<double>> places_of(const MeasuredRows& rows) {
 std::vector<double> values_at(const ReadStudy& study, const Symbolic& formula,
                               const std::vector<double>& parameters,
                               const std::vector<std::vector<double>>& places) {
-  std::vector<std::string> inputs;
-  for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
-  inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-  TapeProgram<double> program(tape_of(formula, inputs), parameters);
+  TapeProgram<double> program(tape_of(formula, formula_inputs(study)), parameters);
   std::vector<double> values;
   for (const std::vector<double>& place : places) {
     program.run(place);

@@ -27,7 +27,7 @@ std::vector<Neighbours> neighbours_along(std::size_t variable,
   };
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     return std::pair(beside(a), places[a][variable]) < std::pair(beside(b), places[b][variable]);
   });
   std::vector<Neighbours> result;
@@ -38,13 +38,13 @@ std::vector<Neighbours> neighbours_along(std::size_t variable,
 
 /// Whether no value is below its neighbour before it, by more than `slack`.
 bool never_falls(const std::vector<double>& values, const std::vector<Neighbours>& line, double slack) {
-  return std::all_of(line.begin(), line.end(),
-                     [&](const Neighbours& at) { return values[at.second] >= values[at.first] - slack; });
+  return std::ranges::all_of(
+      line, [&](const Neighbours& at) { return values[at.second] >= values[at.first] - slack; });
 }
 
 bool never_rises(const std::vector<double>& values, const std::vector<Neighbours>& line, double slack) {
-  return std::all_of(line.begin(), line.end(),
-                     [&](const Neighbours& at) { return values[at.second] <= values[at.first] + slack; });
+  return std::ranges::all_of(
+      line, [&](const Neighbours& at) { return values[at.second] <= values[at.first] + slack; });
 }
 
 /// Appends that the form rises or falls along a variable, if it does as its target does.
@@ -60,7 +60,7 @@ void append_course(const ReadStudy& study, const SampledCurve& curve, std::size_
 }
 
 bool are_all(const std::vector<double>& values, double lower, double upper) {
-  return std::all_of(values.begin(), values.end(), [&](double x) { return lower <= x && x <= upper; });
+  return std::ranges::all_of(values, [&](double x) { return lower <= x && x <= upper; });
 }
 
 double error_at(const SampledCurve& curve, std::size_t i) {
@@ -152,9 +152,9 @@ std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCu
 std::vector<StudyProperty> lost_properties(const std::vector<StudyProperty>& wanted,
                                            const std::vector<StudyProperty>& found) {
   std::vector<StudyProperty> lost;
-  std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(lost), [&](const StudyProperty& property) {
-    return std::none_of(found.begin(), found.end(),
-                        [&](const StudyProperty& other) { return other.words == property.words; });
+  std::ranges::copy_if(wanted, std::back_inserter(lost), [&](const StudyProperty& property) {
+    return std::ranges::none_of(found,
+                                [&](const StudyProperty& other) { return other.words == property.words; });
   });
   return lost;
 }

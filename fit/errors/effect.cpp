@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fit/support/decimal.hpp"
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -39,7 +40,7 @@ std::string relative_words(const Effect& effect) {
 /// Capitalises the first letter of a part that starts with a word: "exp(-1)" and "x = 1" are not changed.
 std::string capitalised(std::string part) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  const auto end = std::find_if_not(part.begin(), part.end(), is_small);
+  const auto end = std::ranges::find_if_not(part, is_small);
   const bool is_word = end - part.begin() > 1 && (end == part.end() || *end == ' ' || *end == ',');
   if (is_word) part.front() = static_cast<char>(part.front() - 'a' + 'A');
   return part;
@@ -69,6 +70,13 @@ void Effect::include(const Effect& other, const Coordinate& coordinate) {
   reaches_visible = reaches_visible || other.reaches_visible;
   half_ulps = std::max(half_ulps, other.half_ulps);
   srgb_codes = std::max(srgb_codes, other.srgb_codes);
+}
+
+double change_of_one_code() {
+  // The change in codes is proportional to the grey times the slope of the encoding. That is largest at
+  // white.
+  const auto beyond = [](double change) { return srgb_code(1.0) - srgb_code(1 - change) - 1; };
+  return root_between(beyond, 0, 0.5, 45);
 }
 
 std::string words(const Coordinates& place) {

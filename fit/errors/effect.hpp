@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +58,10 @@ inline double ulp_of_half(double value) {
   const int exponent = std::max(-14, std::ilogb(std::max(std::abs(value), 0x1p-24)));
   return std::ldexp(1.0, exponent - 10);
 }
+
+/// The smallest relative change that moves a grey in [0, 1] by a whole 8-bit sRGB code: white that is darker
+/// by this is sent as 254. The second reading of words like "accurate".
+double change_of_one_code();
 
 /// "c = 0.284"; near the peak, "c = 1 - 0.00031".
 inline Coordinates at_cosine(const Cosine<double>& c) {

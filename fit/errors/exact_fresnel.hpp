@@ -42,6 +42,9 @@ ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
 }
 
 /// Schlick's formula, with f0 from the surface, against the exact one of the same surface.
-ReflectanceError schlick_against_exact(double ior, double extinction = 0);
+inline ReflectanceError schlick_against_exact(double ior, double extinction = 0) {
+  return compare_reflectance(exact_surface(ior, extinction),
+                             [](const auto& c) { return schlick_weight(c.cos_theta); });
+}
 
 }  // namespace shadefit

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 
@@ -27,7 +28,7 @@ double largest_sampled(const std::function<double(double)>& f) {
   points.push_back(1);
   std::vector<double> values;
   for (const double s : points) values.push_back(f(s));
-  const auto best = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(values) - values.begin());
   const std::size_t left = best == 0 ? 0 : best - 1, right = std::min(best + 1, points.size() - 1);
   std::uintmax_t steps = 50;
   const auto refined = boost::math::tools::brent_find_minima([&](double s) { return -f(s); }, points[left],
@@ -51,11 +52,8 @@ Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substi
   for (const double right : points) {
     const double right_slope = slope(right);
     if (left_slope * right_slope < 0) {
-      // 53 bits: the root is then as exact as f' itself. Ten steps are usual, fifty the limit.
-      std::uintmax_t steps = 50;
-      const auto root = boost::math::tools::toms748_solve(
-          slope, left, right, left_slope, right_slope, boost::math::tools::eps_tolerance<double>(53), steps);
-      consider((root.first + root.second) / 2);
+      // 53 bits: the root is then as exact as f' itself.
+      consider(root_between(slope, left, right, left_slope, right_slope, 53));
     } else if (right_slope == 0) {
       consider(right);
     }
@@ -64,8 +62,7 @@ Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substi
   }
   consider(1);
 
-  const auto by_magnitude = [](const Extremum& a, const Extremum& b) { return a.magnitude < b.magnitude; };
-  const double largest = std::max_element(found.begin(), found.end(), by_magnitude)->magnitude;
+  const double largest = std::ranges::max_element(found, {}, &Extremum::magnitude)->magnitude;
   Extremum chosen{largest, {2, -1}};
   for (const Extremum& candidate : found) {
     const bool is_equal = candidate.magnitude >= largest * (1 - equal_extrema);

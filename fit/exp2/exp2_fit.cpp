@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <cmath>
 
 #include "approx/exp2_polynomial.hpp"
 #include "fit/exp2/exp2_error.hpp"
@@ -62,12 +61,9 @@ Exp2Fit fit_exp2(int degree) {
                                    [](const SearchPlace& at) {
                                      return Cosine<double>{at.s, 1 - at.s};
                                    },
-                               .error = curve,
-                               .bounded = {},  // no constraint needs these
-                               .deviation = {}};
+                               .error = curve};
   const MinimaxOptimum optimum = solve_minimax(problem, start(degree, places));
   Exp2Fit fit{.degree = degree,
-              .coefficients = {},
               .level = optimum.level,
               .contacts = static_cast<int>(optimum.alternation.size()),
               .status = optimum.status,

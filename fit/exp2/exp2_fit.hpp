@@ -11,9 +11,9 @@ namespace shadefit {
 /// p(r) = 1 + c1 r + .. + cn r^n with the least largest |p(r)/2^r - 1| on [-1/2, 1/2].
 struct Exp2Fit {
   int degree = 0;
-  std::vector<long double> coefficients;  ///< c1 .. cn; an answer only if `status` is converged
-  double level = 0;                       ///< the largest relative error, sampled
-  int contacts = 0;                       ///< places where |error| is the level, with alternating signs
+  std::vector<long double> coefficients = {};  ///< c1 .. cn; an answer only if `status` is converged
+  double level = 0;                            ///< the largest relative error, sampled
+  int contacts = 0;                            ///< places where |error| is the level, with alternating signs
   Status status = Status::not_converged;
   std::string why = {};
 };

@@ -67,7 +67,7 @@ P error_at(int degree, std::size_t panel, const T& s, const std::array<P, most_p
 PairForExp2 fit_pair_for_exp2(int degree) {
   const Solution exact = solve_by_squares(FresnelQuadratic(), Metric());
   MinimaxParameters start{};
-  std::copy(exact.parameters.begin(), exact.parameters.end(), start.begin());
+  std::ranges::copy(exact.parameters, start.begin());
   std::vector<SearchPlace> places;
   for (std::size_t panel = 0; panel < panels; ++panel) {
     for (const double s : chebyshev_places()) places.push_back({panel, s});
@@ -85,9 +85,7 @@ PairForExp2 fit_pair_for_exp2(int degree) {
                                          cosine_of_exponent(exponent_at(at.panel, at.s), start[0], start[1]);
                                      return Cosine<double>{c, 1 - c};
                                    },
-                               .error = curve,
-                               .bounded = {},  // no constraint asks for these
-                               .deviation = {}};
+                               .error = curve};
   const MinimaxOptimum optimum = solve_minimax(problem, start);
   return {optimum.parameters[0], optimum.parameters[1], optimum.level, optimum.status, optimum.why};
 }

@@ -71,11 +71,6 @@ Integral cut_circles(ReflectedLobe lobe, double alpha, const View& view, const E
   return gauss_kronrod(density, 0, std::numbers::pi, tolerance, negligible);
 }
 
-/// The sum of two integrals, with their errors.
-Integral sum(const Integral& a, const Integral& b) {
-  return {a.value + b.value, a.error + b.error};
-}
-
 }  // namespace
 
 View::View(double degrees)
@@ -96,7 +91,7 @@ Integral reflect_by_circles(ReflectedLobe lobe, double alpha, const View& view, 
                      : Integral{};
   // the rest is at most the lobe at the cut, over the whole hemisphere
   const double tail = extent.is_cut ? 2 * std::numbers::pi * std::exp(-lobe_decay) : 0;
-  return sum(sum(inner, outer), {0, tail});
+  return inner + outer + Integral{0, tail};
 }
 
 LobeIntegrand<Integral> reflect_by_circles(ReflectedLobe lobe, double alpha, const View& view,

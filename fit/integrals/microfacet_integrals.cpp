@@ -30,10 +30,6 @@ double density_at(Distribution distribution, const Direction<double>& m, double 
   return density(distribution, {m.cosine * m.cosine, m.sine * m.sine}, alpha);
 }
 
-Integral operator+(const Integral& a, const Integral& b) {
-  return {a.value + b.value, a.error + b.error};
-}
-
 /// Over x = log tan(theta), where theta is the angle between m and n: sin dtheta = sin^2 cos dx. Cut off
 /// where exp(-40) of the whole is left at both ends: D is flat to the left, and (n.m) or the size of the
 /// circle falls like exp(-x) to the right. `azimuth` is the integral over the azimuth. To the right of `bend`
@@ -72,7 +68,7 @@ Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azi
   };
   const double end = std::min(std::atan(std::sqrt(reach(distribution, alpha))), std::numbers::pi / 2);
   std::array places{0.0, std::min(bend, end), std::min(std::numbers::pi / 4, end), end};
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   Integral total;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double from = places[i], to = places[i + 1];

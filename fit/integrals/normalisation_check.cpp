@@ -1,15 +1,14 @@
 #include "fit/integrals/normalisation_check.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include "approx/normalisation.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -93,10 +92,7 @@ LargestRatio largest_cheap_ratio() {
   constexpr double step = 0.125;
   for (double left = -10; left < 20; left += step) {
     if (!(slope(left) > 0 && slope(left + step) <= 0)) continue;
-    std::uintmax_t steps = 50;  // about ten are usual
-    const auto root = boost::math::tools::toms748_solve(slope, left, left + step,
-                                                        boost::math::tools::eps_tolerance<double>(53), steps);
-    const double at = (root.first + root.second) / 2;
+    const double at = root_between(slope, left, left + step, 53);
     if (ratio(at) > largest.ratio) largest = {std::exp2(at), ratio(at)};
   }
   return largest;

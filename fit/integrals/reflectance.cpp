@@ -1,7 +1,8 @@
 #include "fit/integrals/reflectance.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -58,8 +59,7 @@ std::optional<double> conserving_from(ReflectedLobe lobe, double alpha, double f
                                       const std::vector<Reflectance>& points, const ReflectancePeak& peak) {
   std::vector<ReflectancePeak> known{peak};
   for (const Reflectance& point : points) known.push_back({point.with_cosine, point.view_angle});
-  std::sort(known.begin(), known.end(),
-            [](const auto& a, const auto& b) { return a.view_angle < b.view_angle; });
+  std::ranges::sort(known, {}, &ReflectancePeak::view_angle);
   const auto last = std::find_if(known.rbegin(), known.rend(),
                                  [](const auto& place) { return place.value > 1 + energy_tolerance; });
   if (last == known.rend()) return std::nullopt;
@@ -67,11 +67,8 @@ std::optional<double> conserving_from(ReflectedLobe lobe, double alpha, double f
   const auto next = last - 1;
   if (next->value >= 1) return next->view_angle;  // there it is 1
   const auto integral = over_view(lobe, alpha, &LobeIntegrand<double>::with_cosine);
-  std::uintmax_t steps = 50;  // about ten are usual
-  const auto root = boost::math::tools::toms748_solve(
-      [&](double degrees) { return factor * integral(degrees) - 1; }, last->view_angle, next->view_angle,
-      boost::math::tools::eps_tolerance<double>(40), steps);
-  return (root.first + root.second) / 2;
+  return root_between([&](double degrees) { return factor * integral(degrees) - 1; }, last->view_angle,
+                      next->view_angle, 40);
 }
 
 ReflectanceCurve curve_of(const ReflectedConstant& constant, double alpha, double factor,

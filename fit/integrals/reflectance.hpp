@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -89,11 +88,10 @@ ReflectanceCurve reflectance_curve(const ReflectedConstant& constant, double exp
 /// end than the nearest place counts as at that end.
 template <class F>
 ReflectancePeak largest_over_view(const F& f, std::vector<ReflectancePeak> samples) {
-  const auto by_value = [](const auto& a, const auto& b) { return a.value < b.value; };
   const auto best = [&] {
-    const double largest = std::max_element(samples.begin(), samples.end(), by_value)->value;
-    return std::find_if(samples.begin(), samples.end(),
-                        [&](const auto& s) { return s.value >= largest * (1 - equal_extrema); });
+    const double largest = std::ranges::max_element(samples, {}, &ReflectancePeak::value)->value;
+    return std::ranges::find_if(samples,
+                                [&](const auto& s) { return s.value >= largest * (1 - equal_extrema); });
   };
   const auto first = best();
   const auto low = first == samples.begin() ? first : first - 1;
@@ -106,8 +104,7 @@ ReflectancePeak largest_over_view(const F& f, std::vector<ReflectancePeak> sampl
     }
   }
   samples.insert(samples.end(), finer.begin(), finer.end());
-  std::sort(samples.begin(), samples.end(),
-            [](const auto& a, const auto& b) { return a.view_angle < b.view_angle; });
+  std::ranges::sort(samples, {}, &ReflectancePeak::view_angle);
   const auto peak = best();
   if (peak == samples.begin() || peak + 1 == samples.end()) return *peak;
   // Half the bits of a double: the place of a maximum has no more.

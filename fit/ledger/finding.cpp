@@ -25,13 +25,12 @@ Effect effect_on_greys(double ratio) {
 
 Verdict worst(std::span<const Verdict> parts) {
   // The enumerators are ordered from `confirmed` to the worst.
-  return *std::max_element(parts.begin(), parts.end());
+  return *std::ranges::max_element(parts);
 }
 
 std::optional<Verdict> worst(std::span<const std::optional<Verdict>> parts) {
-  if (std::any_of(parts.begin(), parts.end(), [](const auto& v) { return !v.has_value(); }))
-    return std::nullopt;
-  return *std::max_element(parts.begin(), parts.end());
+  if (std::ranges::any_of(parts, [](const auto& verdict) { return !verdict; })) return std::nullopt;
+  return *std::ranges::max_element(parts);
 }
 
 std::string identity_if(const std::optional<Verdict>& verdict) {
@@ -50,6 +49,25 @@ double number_of(std::string_view text) {
 
 double given(const Claim& claim, std::string_view name) {
   return number_of(claim.inputs.at(name));
+}
+
+std::vector<std::string> items_of(std::string_view text, char separator) {
+  std::vector<std::string> items;
+  while (true) {
+    const auto end = text.find(separator);
+    std::string_view item = text.substr(0, end);
+    while (item.starts_with(' ')) item.remove_prefix(1);
+    while (item.ends_with(' ')) item.remove_suffix(1);
+    items.emplace_back(item);
+    if (end == std::string_view::npos) return items;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::vector<double> numbers_of(std::string_view text, char separator) {
+  std::vector<double> numbers;
+  for (const std::string& item : items_of(text, separator)) numbers.push_back(number_of(item));
+  return numbers;
 }
 
 double codes_of_factor(double ratio) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "approx/records/claim.hpp"
 #include "fit/verdicts/verdict.hpp"
@@ -58,6 +59,13 @@ double number_of(std::string_view text);
 
 /// An input of the record by its name, as a number.
 double given(const Claim& claim, std::string_view name);
+
+/// The items of a list in the inputs of a record, "0.5, 1" or "sRGB, gamma 2.2": what stands between the
+/// separators, without the blanks around it. A text without a separator is one item.
+std::vector<std::string> items_of(std::string_view text, char separator = ',');
+
+/// The same as numbers. Throws std::invalid_argument if an item is not a number.
+std::vector<double> numbers_of(std::string_view text, char separator = ',');
 
 /// The largest shift in 8-bit sRGB codes when every colour in [0, 1] is multiplied by that ratio; sampled at
 /// the 255 linear greys.

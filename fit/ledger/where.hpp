@@ -6,6 +6,7 @@
 
 #include "fit/errors/extremum.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/root.hpp"
 
 /// The ranges in which a condition holds.
 namespace shadefit {
@@ -23,15 +24,12 @@ std::vector<std::pair<double, double>> where_negative(const F& f) {
   if (inside) ranges.emplace_back(0, 1);
   for (const double right : points) {
     if (is_inside(right) != inside) {
-      double low = left, high = right;
-      for (int i = 0; i < 53; ++i) {
-        const double middle = low + (high - low) / 2;
-        (is_inside(middle) == inside ? low : high) = middle;
-      }
+      const double change =
+          last_by_halving(left, right, 53, [&](double s) { return is_inside(s) == inside; });
       if (inside) {
-        ranges.back().second = high;
+        ranges.back().second = change;
       } else {
-        ranges.emplace_back(high, 1);
+        ranges.emplace_back(change, 1);
       }
       inside = !inside;
     }

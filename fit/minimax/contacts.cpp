@@ -9,7 +9,7 @@ namespace {
 
 /// Whether no parameter moves the value of a contact.
 bool is_fixed(const Contact& c) {
-  return std::all_of(c.gradient.begin(), c.gradient.end(), [](double g) { return g == 0; });
+  return std::ranges::all_of(c.gradient, [](double g) { return g == 0; });
 }
 
 }  // namespace
@@ -79,10 +79,8 @@ void Contacts::find_tangents() {
     const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
     for (const SearchPlace& place : ends) {
       const Contact c = contact(touch, place);
-      const bool is_exact = !is_of_form(touch) && !is_of_slope(touch) &&
-                            std::any_of(exact_.begin(), exact_.end(), [&](const SearchPlace& held) {
-                              return held.panel == place.panel && held.s == place.s;
-                            });
+      const bool is_exact =
+          !is_of_form(touch) && !is_of_slope(touch) && std::ranges::count(exact_, place) > 0;
       if (!is_exact && (!is_fixed(c) || c.value != static_cast<double>(bound_of(touch)))) continue;
       const Contact tangent = contact(touch, place, true);
       if (!is_fixed(tangent)) tangents_.push_back(tangent);
@@ -111,7 +109,7 @@ Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
       square += scaled * scaled;
     }
     WideParameters wide{};
-    std::copy(parameters.begin(), parameters.end(), wide.begin());
+    std::ranges::copy(parameters, wide.begin());
     const auto finer = static_cast<double>(curve_of(Touch::exact).wide(place, wide));
     // 0, or the rounding of 0: sin(pi x) at 1.
     if (std::abs(c.value) <= 2 * std::abs(c.value - finer))
@@ -238,14 +236,12 @@ Contacts::Chain Contacts::alternating(std::size_t count) const {
   }
   // If no parameter moves the error, because every form of the family meets the target, there is nothing to
   // level.
-  found.erase(std::remove_if(found.begin(), found.end(),
-                             [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); }),
-              found.end());
+  const auto unmoved = std::ranges::remove_if(
+      found, [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); });
+  found.erase(unmoved.begin(), unmoved.end());
   const double middle = problem_.one_sided ? (highest + lowest) / 2 : 0;
   const auto height = [&](const Contact& c) { return c.value - middle; };
-  std::sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) {
-    return std::pair(a.place.panel, a.place.s) < std::pair(b.place.panel, b.place.s);
-  });
+  std::ranges::sort(found, {}, [](const Contact& c) { return std::pair(c.place.panel, c.place.s); });
   Few<Contact> chain;
   for (const Contact& c : found) {
     const bool is_same_run = !chain.empty() && (height(chain.back()) < 0) == (height(c) < 0);

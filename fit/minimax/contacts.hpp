@@ -80,7 +80,6 @@ class Contacts {
   /// From now on the form equals its target at the problem's places. A place where it does so for all
   /// parameters is left out. A line that says why the form cannot, or an empty text.
   std::string hold_exact();
-  std::size_t held_exact() const { return exact_.size(); }
   void look();
 
   /// False if the parameters do not move the error independently. Adds the same to the contacts and to the

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace shadefit {
 namespace {
@@ -78,7 +77,7 @@ bool invert(const SmallMatrix& matrix, std::size_t size, SmallMatrix& inverse) {
 LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unknowns,
                          std::span<const std::size_t> first_reference, double rounding) {
   LowestLevel result;
-  std::copy(first_reference.begin(), first_reference.end(), result.reference.begin());
+  std::ranges::copy(first_reference, result.reference.begin());
   double largest_bound = 0;
   for (const Condition& condition : conditions) {
     if (condition.slope[unknowns - 1] != 0)

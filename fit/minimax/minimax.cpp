@@ -70,11 +70,10 @@ class RemezExchange {
       Few<Condition> conditions;
       for (const Contact& c : here_.all()) conditions.push_back(here_.condition(c));
       std::array<std::size_t, most_unknowns> reference{};
-      if (!here_.first_reference(conditions, reference))
-        return fail(Status::degenerate,
-                    "the parameters do not move the error independently where it is largest");
-      const LowestLevel lowest = lowest_level({conditions.data(), conditions.size()}, here_.unknowns(),
-                                              {reference.data(), here_.unknowns()});
+      LowestLevel lowest{.ending = LowestLevel::Ending::degenerate};
+      if (here_.first_reference(conditions, reference))
+        lowest = lowest_level({conditions.data(), conditions.size()}, here_.unknowns(),
+                              {reference.data(), here_.unknowns()});
       if (lowest.ending == LowestLevel::Ending::infeasible) return fail_to_satisfy();
       if (lowest.ending == LowestLevel::Ending::degenerate)
         return fail(Status::degenerate,
@@ -182,7 +181,7 @@ class RemezExchange {
     for (int pass = 0; pass < 5; ++pass) {
       SmallMatrix matrix{}, inverse{};
       WideParameters wide{};
-      std::copy(here_.parameters.begin(), here_.parameters.end(), wide.begin());
+      std::ranges::copy(here_.parameters, wide.begin());
       std::array<long double, most_unknowns> values{};
       long double level = 0;
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
@@ -258,10 +257,8 @@ class RemezExchange {
       result_.alternation.push_back(
           {c.touch, c.is_tangent, problem_.cosine_at(c.place), c.value, multipliers_[i]});
     }
-    std::sort(result_.alternation.begin(), result_.alternation.end(),
-              [](const AlternationPoint& a, const AlternationPoint& b) {
-                return a.at.one_minus_cos < b.at.one_minus_cos;
-              });
+    std::ranges::sort(result_.alternation, {},
+                      [](const AlternationPoint& point) { return point.at.one_minus_cos; });
   }
 
   const MinimaxProblem& problem_;

@@ -32,6 +32,7 @@ using WideParameters = std::array<long double, most_parameters>;
 struct SearchPlace {
   std::size_t panel = 0;
   double s = 0;
+  bool operator==(const SearchPlace&) const = default;
 };
 
 /// A value along a panel, with its derivatives by s.
@@ -47,8 +48,8 @@ struct MinimaxCurve {
   std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
   std::function<long double(const SearchPlace&, const WideParameters&)> wide;
   /// The same for the slope into the domain, at s = 0 or 1.
-  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across;
-  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope;
+  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across = nullptr;
+  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope = nullptr;
 };
 
 struct MinimaxProblem {
@@ -59,7 +60,7 @@ struct MinimaxProblem {
   /// The curve that `at_most` and `at_least` bound, and the curve that is 0 where the form equals its target.
   /// These are the form and its error; for a positive form log(form) and log(form/target), which may be
   /// linear in the parameters.
-  MinimaxCurve bounded, deviation;
+  MinimaxCurve bounded = {}, deviation = {};
   MinimaxCurve sloping = {};  ///< the slope of the form, if `monotone` is set
   bool is_exponential = false;
   /// Constraints are linear in the parameters: if they cannot be satisfied together at some places, no

@@ -50,9 +50,7 @@ MinimaxCurve curve_of_error(const Error& error, const std::vector<SearchPlace>& 
           .wide =
               [error](const SearchPlace& place, const WideParameters& p) {
                 return error(place.panel, static_cast<long double>(place.s), p);
-              },
-          .slope_across = nullptr,
-          .wide_slope = nullptr};
+              }};
 }
 
 }  // namespace shadefit

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "fit/least_squares/descent.hpp"
@@ -74,11 +73,11 @@ class Minimax {
   /// From the free parameters of a start; those of the result are all of the family.
   MinimaxOptimum solve(const Candidate& start) const {
     MinimaxParameters p{};
-    std::copy(start.parameters.begin(), start.parameters.end(), p.begin());
+    std::ranges::copy(start.parameters, p.begin());
     MinimaxOptimum optimum = solve_minimax(problem(), p);
     optimum.iterations += start.iterations;
     const auto all = lifted<double>(optimum.parameters);
-    std::copy(all.begin(), all.end(), optimum.parameters.begin());
+    std::ranges::copy(all, optimum.parameters.begin());
     return optimum;
   }
 

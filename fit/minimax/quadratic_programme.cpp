@@ -51,8 +51,7 @@ class DualMethod {
   }
 
   bool is_active(std::size_t condition) const {
-    return std::any_of(active_.begin(), active_.end(),
-                       [&](const ActiveCondition& a) { return a.condition == condition; });
+    return std::ranges::any_of(active_, [&](const ActiveCondition& a) { return a.condition == condition; });
   }
 
   /// Equations come first, so that they are never dropped.

@@ -61,7 +61,7 @@ inline std::vector<Box> boxes_of(const Domain& domain) {
 
 /// Whether a place lies in one of the boxes.
 inline bool is_inside(const ExactPlace& place, const std::vector<Box>& boxes) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
+  return std::ranges::any_of(boxes, [&](const Box& box) {
     return box.side == place.side && box.lower <= place.distance && place.distance <= box.upper;
   });
 }

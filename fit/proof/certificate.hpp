@@ -101,6 +101,10 @@ Certified certify(const Subject& subject, double width, const Checkpoint& checkp
 /// The subject of a fit, its parameters exact.
 Subject subject_of(const Fit& fit, Error error = Error::absolute);
 
+/// One line that says what is wrong with the bounds of a certificate or with the precision, in bits, in which
+/// it was made; or an empty text.
+std::string fault_of_bounds(double lower, double upper, int precision);
+
 /// The finished fraction of a check, from 0 to 1; throws to stop it.
 using ShareDone = std::function<void(double share)>;
 

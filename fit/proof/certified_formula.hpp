@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 
 #include "fit/family_visit.hpp"
 #include "fit/proof/certificate.hpp"
@@ -29,17 +28,14 @@ auto visit_formula(const Subject& subject, const Visitor& visitor) {
     std::array<Interval, F::parameters.size()> p;
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = enclosed_constant(subject.parameters.at(i).second).value();
-    const auto form = at_parameters(
-        family, p, [](const F& f, const auto& sample, const auto& q) { return f.form(sample, q); });
-    if (subject.error == Error::relative) {
-      const auto error = at_parameters(family, p, [](const F& f, const auto& sample, const auto& q) {
-        return f.relative_error(sample, q);
-      });
-      return visitor(error, form);
-    }
-    const auto error = at_parameters(
-        family, p, [](const F& f, const auto& sample, const auto& q) { return f.error(sample, q); });
-    return visitor(error, form);
+    const auto with = [&](const auto& function) { return at_parameters(family, p, function); };
+    const auto form = with([](const F& f, const auto& sample, const auto& q) { return f.form(sample, q); });
+    if (subject.error == Error::absolute)
+      return visitor(with([](const F& f, const auto& sample, const auto& q) { return f.error(sample, q); }),
+                     form);
+    return visitor(
+        with([](const F& f, const auto& sample, const auto& q) { return f.relative_error(sample, q); }),
+        form);
   });
 }
 

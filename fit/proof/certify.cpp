@@ -71,7 +71,7 @@ std::vector<double> ends_of(const std::vector<Box>& boxes, Origin side) {
     ends.push_back(box.lower);
     ends.push_back(box.upper);
   }
-  std::sort(ends.begin(), ends.end());
+  std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;
 }
@@ -103,39 +103,37 @@ Certified certify(const Subject& asked, double width, const Checkpoint& checkpoi
   const FittableFamily* family = find_family(asked.family);
   require_admissible(asked);
   const auto [error, form] = certified_formula(asked);
-  Certified result;
-  Certificate& certificate = result.certificate;
-  certificate.subject = asked;
-  certificate.subject.domain = narrowed(asked);
-  certificate.target = target_text(*family, asked.setting);
-  certificate.form = to_text(family->form());
-  certificate.precision = interval_precision();
-  const Enclosure found = enclose_largest(
-      error, certificate.subject.domain,
-      {.width = width, .hint = probable_place(*family, certificate.subject), .checkpoint = checkpoint});
+  Subject subject = asked;
+  subject.domain = narrowed(asked);
+  const Enclosure found =
+      enclose_largest(error, subject.domain,
+                      {.width = width, .hint = probable_place(*family, subject), .checkpoint = checkpoint});
   if (!std::isfinite(found.upper))
-    throw CheckFailed(asked.family + " with " + parameters_text(asked) + " on " +
-                      to_text(certificate.subject.domain) +
+    throw CheckFailed(asked.family + " with " + parameters_text(asked) + " on " + to_text(subject.domain) +
                       ": no double was proven to bound the largest error");
-  certificate.lower = found.lower;
-  certificate.upper = found.upper;
-  certificate.attained = found.attained;
-  certificate.places = found.places;
   std::vector<Box> boxes = found.boxes;
-  const CurveShape& curve = family->info.curve;
-  result.curve = prove_curve(form, curve, boxes, checkpoint);
-  certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
-                       .is_non_negative = result.curve.non_negative == Proof::proven,
-                       .is_at_most_one = result.curve.at_most_one == Proof::proven};
-  certificate.horizon = ends_of(boxes, Origin::horizon);
-  certificate.peak = ends_of(boxes, Origin::peak);
-  result.is_reached = found.is_reached;
-  return result;
+  const CurveShape& stated = family->info.curve;
+  const CurveProof curve = prove_curve(form, stated, boxes, checkpoint);
+  const CurveShape proven{.trend = curve.trend == Proof::proven ? stated.trend : Trend::none,
+                          .is_non_negative = curve.non_negative == Proof::proven,
+                          .is_at_most_one = curve.at_most_one == Proof::proven};
+  return {.certificate = {.subject = subject,
+                          .target = target_text(*family, asked.setting),
+                          .form = to_text(family->form()),
+                          .lower = found.lower,
+                          .upper = found.upper,
+                          .attained = found.attained,
+                          .places = found.places,
+                          .horizon = ends_of(boxes, Origin::horizon),
+                          .peak = ends_of(boxes, Origin::peak),
+                          .curve = proven,
+                          .precision = interval_precision()},
+          .is_reached = found.is_reached,
+          .curve = curve};
 }
 
 Subject subject_of(const Fit& fit, Error error) {
   Subject subject{.family = std::string(fit.family->id),
-                  .parameters = {},
                   .setting = setting_of(fit),
                   .error = error,
                   .domain = fit.metric.domain};

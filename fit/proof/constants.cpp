@@ -9,7 +9,7 @@ namespace shadefit {
 std::string fault_of_constants(const Constants& given, std::span<const std::string> known,
                                const std::string& form) {
   for (const auto& [name, value] : given) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       return "parameter '" + name + "' is unknown: " + form + " has none of that name";
     if (enclosed_constant(value)) continue;
     const bool is_hexadecimal = value.find("0x") != std::string::npos;
@@ -17,8 +17,7 @@ std::string fault_of_constants(const Constants& given, std::span<const std::stri
            (is_hexadecimal ? "a hexadecimal double as shadefit prints it" : "a finite number");
   }
   for (const std::string& name : known) {
-    const auto count =
-        std::count_if(given.begin(), given.end(), [&](const auto& p) { return p.first == name; });
+    const auto count = std::ranges::count(given, name, [](const auto& p) { return p.first; });
     if (count == 0) return "parameter '" + name + "' of " + form + " is missing";
     if (count > 1) return "parameter '" + name + "' is given twice";
   }
@@ -30,10 +29,9 @@ std::string fault_of_constants(const Constants& given, std::span<const std::stri
 
 Constants in_order(Constants given, std::span<const std::string> known) {
   const auto rank = [&](const auto& constant) {
-    return std::find(known.begin(), known.end(), constant.first) - known.begin();
+    return std::ranges::find(known, constant.first) - known.begin();
   };
-  std::stable_sort(given.begin(), given.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(given, {}, rank);
   return given;
 }
 

@@ -87,7 +87,7 @@ class EnclosedIntegral {
 
   template <class Integrand>
   std::optional<Values> of(const Integrand& integrand, const Checkpoint& checkpoint = keep_going) {
-    Values sum = filled(Interval(0));
+    Values sum{};
     std::vector<IntegralPanel> open = panels_of(metric_);
     for (int count = 0; !open.empty(); ++count) {
       checkpoint();
@@ -107,12 +107,6 @@ class EnclosedIntegral {
 
  private:
   using Series = Taylor<Order>;
-
-  static Values filled(const Interval& value) {
-    Values values;
-    values.fill(value);
-    return values;
-  }
 
   /// About fifty panels contribute to an integral.
   static constexpr double parts = 64;

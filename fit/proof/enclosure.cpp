@@ -75,14 +75,13 @@ class LargestSearch {
   }
 
   Enclosure collected(bool is_reached) {
-    Enclosure result;
-    result.lower = lower_;
-    result.upper = std::fmax(boxes_.top().bound, lower_);
-    result.attained = attained_;
-    result.is_reached = is_reached;
+    Enclosure result{.lower = lower_,
+                     .upper = std::fmax(boxes_.top().bound, lower_),
+                     .attained = attained_,
+                     .is_reached = is_reached};
     std::vector<BoundedBox> all;
     for (; !boxes_.empty(); boxes_.pop()) all.push_back(boxes_.top());
-    std::sort(all.begin(), all.end(), [](const BoundedBox& a, const BoundedBox& b) {
+    std::ranges::sort(all, [](const BoundedBox& a, const BoundedBox& b) {
       if (a.box.side != b.box.side) return a.box.side == Origin::horizon;
       return (a.box.side == Origin::horizon) == (a.box.lower < b.box.lower);
     });

@@ -33,10 +33,10 @@ struct EnclosureOptions {
 struct Enclosure {
   double lower = 0;
   double upper = 0;
-  ExactPlace attained;      ///< here |f| >= lower
-  std::vector<Box> places;  ///< outside these |f| <= lower; by rising cosine
-  std::vector<Box> boxes;   ///< all boxes of the domain, by rising cosine; on each |f| <= upper
-  bool is_reached = false;  ///< whether the requested width is reached
+  ExactPlace attained;           ///< here |f| >= lower
+  std::vector<Box> places = {};  ///< outside these |f| <= lower; by rising cosine
+  std::vector<Box> boxes = {};   ///< all boxes of the domain, by rising cosine; on each |f| <= upper
+  bool is_reached = false;       ///< whether the requested width is reached
 };
 
 /// A continuous function of the cosine, type-erased so that the search is compiled only once. Where it has a

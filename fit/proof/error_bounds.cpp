@@ -35,7 +35,7 @@ std::vector<CentredBox> boxes_around(std::span<const Cosine<double>> peaks, cons
       const ExactPlace place = place_of(peak);
       if (is_inside(place, {box})) inside.push_back(place.distance);
     }
-    std::sort(inside.begin(), inside.end());
+    std::ranges::sort(inside);
     inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
     if (inside.empty()) inside.push_back(middle(box.lower, box.upper));
     double lower = box.lower;

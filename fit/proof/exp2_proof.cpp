@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include "fit/exp2/exp2_error.hpp"
@@ -18,18 +17,11 @@ namespace {
 template <std::size_t N>
 using Coefficients = std::array<Interval, N>;
 
-/// The coefficients as printed, and rounded to the format.
-template <std::size_t N>
-Coefficients<N> as_printed(const Exp2Coefficients& polynomial) {
+/// The coefficients read in a scalar: as printed in intervals, rounded in float and double.
+template <std::size_t N, class T>
+Coefficients<N> read_in(const Exp2Coefficients& polynomial) {
   Coefficients<N> c;
-  for (std::size_t i = 0; i < N; ++i) c[i] = constant<Interval>(polynomial.printed[i]);
-  return c;
-}
-template <std::size_t N, class Format>
-Coefficients<N> as_rounded(const Exp2Coefficients& polynomial) {
-  Coefficients<N> c;
-  for (std::size_t i = 0; i < N; ++i)
-    c[i] = Interval(static_cast<double>(constant<Format>(polynomial.printed[i])));
+  for (std::size_t i = 0; i < N; ++i) c[i] = Interval(constant<T>(polynomial.printed[i]));
   return c;
 }
 
@@ -69,8 +61,8 @@ Enclosure largest_error(const Coefficients<N>& coefficients) {
 
 template <std::size_t N, class Format>
 Exp2Bounds bounds_of(std::string_view format, const Exp2Coefficients& polynomial, const Rounding& rounding) {
-  const Coefficients<N> rounded = as_rounded<N, Format>(polynomial);
-  const Enclosure first = largest_error(as_printed<N>(polynomial)), second = largest_error(rounded);
+  const Coefficients<N> rounded = read_in<N, Format>(polynomial);
+  const Enclosure first = largest_error(read_in<N, Interval>(polynomial)), second = largest_error(rounded);
   const auto evaluated = [&](const Cosine<Interval>& c) {
     std::array<RunningError, N> operands;
     for (std::size_t i = 0; i < N; ++i) operands[i] = {rounded[i], 0, &rounding};

@@ -37,8 +37,7 @@ struct Scalar<Interval> {
   static Interval acos(const Interval& x) { return apply(mpfi_acos, x); }
   static Interval atan(const Interval& x) { return apply(mpfi_atan, x); }
   static Interval atan2(const Interval& y, const Interval& x) {
-    Interval result;
-    mpfi_atan2(result.backend().data(), y.backend().data(), x.backend().data());
+    const Interval result = apply(mpfi_atan2, y, x);
     // Left of the origin the angle jumps at y = 0, where it is pi. MPFI forgets that value if y <= 0.
     const bool forgets_pi = mpfi_is_nonpos(y.backend().data()) > 0 && mpfi_has_zero(y.backend().data()) > 0 &&
                             mpfi_is_nonneg(x.backend().data()) <= 0;
@@ -109,26 +108,15 @@ struct Scalar<Interval> {
     }
     return result;
   }
-  static Interval pi() {
-    Interval result;
-    mpfi_const_pi(result.backend().data());
-    return result;
-  }
-  static Interval ln2() {
-    Interval result;
-    mpfi_const_log2(result.backend().data());
-    return result;
-  }
+  static Interval pi() { return apply(mpfi_const_pi); }
+  static Interval ln2() { return apply(mpfi_const_log2); }
 
   /// Whether x is exactly 0. `==` of two intervals would terminate the process if it cannot be decided.
   static bool is_zero(const Interval& x) { return mpfi_is_zero(x.backend().data()) > 0; }
 
   /// The smallest interval that contains both; NaN if either is NaN (a function left its domain).
   static Interval hull(const Interval& a, const Interval& b) {
-    if (is_nan(a) || is_nan(b)) return nan();
-    Interval result;
-    mpfi_union(result.backend().data(), a.backend().data(), b.backend().data());
-    return result;
+    return is_nan(a) || is_nan(b) ? nan() : apply(mpfi_union, a, b);
   }
 
  private:
@@ -142,19 +130,18 @@ struct Scalar<Interval> {
     function(&r->right, &x.backend().data()->right, MPFR_RNDU);
     return result;
   }
-  static Interval apply(int (*function)(mpfi_ptr, mpfi_srcptr), const Interval& x) {
+  /// What one of MPFI's functions makes of intervals.
+  template <class Function, class... Intervals>
+  static Interval apply(const Function& function, const Intervals&... x) {
     Interval result;
-    function(result.backend().data(), x.backend().data());
+    function(result.backend().data(), x.backend().data()...);
     return result;
   }
-  static Interval lower(const Interval& x) {
+  static Interval lower(const Interval& x) { return at(x.backend().data()->left); }
+  static Interval upper(const Interval& x) { return at(x.backend().data()->right); }
+  static Interval at(const __mpfr_struct& end) {
     Interval result;
-    mpfi_set_fr(result.backend().data(), &x.backend().data()->left);
-    return result;
-  }
-  static Interval upper(const Interval& x) {
-    Interval result;
-    mpfi_set_fr(result.backend().data(), &x.backend().data()->right);
+    mpfi_set_fr(result.backend().data(), &end);
     return result;
   }
   static bool is_nan(const Interval& x) { return mpfi_nan_p(x.backend().data()) != 0; }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -98,7 +97,7 @@ struct Scalar<RunningError> {
     const Rounding& r = *x.rounding;
     if (r.gpu == nullptr) return by_law_of(shadefit::exp(x.value), Interval(x.error), r);
     // exp2 of the rounded product with the rounded log2 e
-    const T product = x * T{integer_interval(1) / shadefit::ln2<Interval>(), 0, &r};
+    const T product = x * T{Interval(1) / shadefit::ln2<Interval>(), 0, &r};
     const Interval off =
         shadefit::expm1(scaled(product.error + 2 * r.basic * largest_magnitude_in(product.value)));
     const Interval value = shadefit::exp(x.value);
@@ -138,10 +137,9 @@ struct Scalar<RunningError> {
     return T::rounded(value, Interval(x.error) / Interval(lower_end(value)), r.root, r);
   }
 
-  static T integer(int n) { return {integer_interval(n), 0, nullptr}; }
+  static T integer(int n) { return {Interval(n), 0, nullptr}; }
 
  private:
-  static Interval integer_interval(int n) { return Interval(n); }
   /// log2 of the computed x, whose value differs by `inherited` from that of the true one.
   static T rounded_log2(const Interval& value, const T& x, const Interval& inherited, const Rounding& r) {
     if (r.gpu == nullptr) return T::rounded(value, inherited, r.function, r);

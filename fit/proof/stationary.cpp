@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include "fit/family_visit.hpp"
 #include "fit/least_squares/positive_definite.hpp"
@@ -100,16 +98,15 @@ StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpo
     }
   }
 
-  StationaryPoint result;
   const auto g = EnclosedIntegral<gradient_order, N>(fit.metric, gradient_tolerance)
                      .of(gradient_integrand(family, at), checkpoint);
   const auto h = EnclosedIntegral<hessian_order, N * N>(fit.metric, hessian_tolerance)
                      .of(hessian_integrand(family, box), checkpoint);
-  if (!g || !h) {
-    result.reason = std::string("the ") + (g ? "Hessian" : "gradient") + " could not be enclosed in " +
-                    std::to_string(most_panels) + " panels";
-    return result;
-  }
+  if (!g || !h)
+    return {.reason = std::string("the ") + (g ? "Hessian" : "gradient") + " could not be enclosed in " +
+                      std::to_string(most_panels) + " panels"};
+  StationaryPoint result{.is_proven = true};
+  double distance = 0;
   for (std::size_t i = 0; i < N; ++i) {
     Interval image = at[i];
     for (std::size_t j = 0; j < N; ++j) {
@@ -122,21 +119,14 @@ StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpo
       image = image + left * (box[j] - at[j]);
     }
     const double lower = lower_end(image), upper = upper_end(image);
-    if (!(lower_end(box[i]) < lower && upper < upper_end(box[i]))) {
-      result.reason = "Krawczyk's operator does not map the box into itself";
-      return result;
-    }
+    if (!(lower_end(box[i]) < lower && upper < upper_end(box[i])))
+      return {.reason = "Krawczyk's operator does not map the box into itself"};
     result.unique_in.emplace_back(lower_end(box[i]), upper_end(box[i]));
     result.lies_in.emplace_back(lower, upper);
+    distance = std::max({distance, (upper - p[i]) / std::abs(p[i]), (p[i] - lower) / std::abs(p[i])});
   }
-  result.is_proven = true;
   result.is_minimum = is_positive_definite(
       *h, N, [](const Interval& pivot) { return has_one_sign(pivot) && is_never_negative(pivot); });
-  double distance = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto [lower, upper] = result.lies_in[i];
-    distance = std::max(distance, std::max(upper - p[i], p[i] - lower) / std::abs(p[i]));
-  }
   result.digits = static_cast<int>(std::floor(-std::log10(distance)));
   return result;
 }
@@ -144,14 +134,9 @@ StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpo
 }  // namespace
 
 StationaryPoint prove_stationary(const Fit& fit, const Checkpoint& checkpoint) {
-  const auto refused = [](const char* reason) {
-    StationaryPoint result;
-    result.reason = reason;
-    return result;
-  };
-  if (fit.status != Status::converged) return refused("the fit did not converge");
-  if (fit.metric.norm != Norm::least_squares) return refused("its norm is not least squares");
-  if (fit.metric.error != Error::absolute) return refused("its error is not the absolute one");
+  if (fit.status != Status::converged) return {.reason = "the fit did not converge"};
+  if (fit.metric.norm != Norm::least_squares) return {.reason = "its norm is not least squares"};
+  if (fit.metric.error != Error::absolute) return {.reason = "its error is not the absolute one"};
   return visit_family(fit.family->id, [&]<class F>(std::type_identity<F>) {
     return prove(make_family<F>(setting_of(fit)), fit, checkpoint);
   });

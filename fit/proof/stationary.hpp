@@ -19,10 +19,10 @@ struct StationaryPoint {
   using Range = std::pair<double, double>;
 
   bool is_proven = false;
-  std::string reason;            ///< why it is not proven
-  bool is_minimum = false;       ///< the Hessian is positive definite in the whole box
-  std::vector<Range> unique_in;  ///< parameters: exactly one stationary point is in here
-  std::vector<Range> lies_in;    ///< and it lies in here
+  std::string reason = {};            ///< why it is not proven
+  bool is_minimum = false;            ///< the Hessian is positive definite in the whole box
+  std::vector<Range> unique_in = {};  ///< parameters: exactly one stationary point is in here
+  std::vector<Range> lies_in = {};    ///< and it lies in here
   int digits = 0;  ///< floor(-log10) of the fit's distance from it, relative; the worst parameter
 };
 

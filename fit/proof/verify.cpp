@@ -26,13 +26,7 @@ std::string check_subject(const Certificate& certificate) {
     return "the form '" + certificate.form + "' is not the family's " + form;
   if (const std::string target = target_text(family, subject.setting); certificate.target != target)
     return "the target '" + certificate.target + "' is not the family's " + target;
-  if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
-    return "its bounds are not an interval";
-  // A proof holds again only in an arithmetic that is at least as wide.
-  if (certificate.precision <= 0 || certificate.precision > interval_precision())
-    return "it was made with " + std::to_string(certificate.precision) + " bits, this build uses " +
-           std::to_string(interval_precision());
-  return "";
+  return fault_of_bounds(certificate.lower, certificate.upper, certificate.precision);
 }
 
 /// The places where the largest error may be, by their distances from each side.
@@ -74,7 +68,7 @@ Places places_of(const Certificate& certificate) {
   Places places;
   for (const Box& place : certificate.places)
     (place.side == Origin::horizon ? places.horizon : places.peak).push_back(place);
-  std::reverse(places.peak.begin(), places.peak.end());
+  std::ranges::reverse(places.peak);
   return places;
 }
 
@@ -167,6 +161,15 @@ std::string check_boxes(const Certificate& certificate, const ShareDone& done) {
 }
 
 }  // namespace
+
+std::string fault_of_bounds(double lower, double upper, int precision) {
+  if (!(0 <= lower && lower <= upper && std::isfinite(upper))) return "its bounds are not an interval";
+  // A proof holds again only in an arithmetic that is at least as wide.
+  if (precision <= 0 || precision > interval_precision())
+    return "it was made with " + std::to_string(precision) + " bits, this build uses " +
+           std::to_string(interval_precision());
+  return "";
+}
 
 std::string reason_to_refuse(const Certificate& certificate, const ShareDone& done) {
   if (std::string reason = check_subject(certificate); !reason.empty()) return reason;

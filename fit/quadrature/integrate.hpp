@@ -11,6 +11,11 @@ struct Integral {
   double error = 0;  ///< an estimate of |value - truth|, rounding included; an estimate is not a bound
 };
 
+/// The sum, with the sum of the errors.
+inline Integral operator+(const Integral& a, const Integral& b) {
+  return {a.value + b.value, a.error + b.error};
+}
+
 /// The error of a sum of positive terms, each with a few roundings: a few epsilons of the sum.
 inline double rounding_of(double sum) {
   return 8 * std::numeric_limits<double>::epsilon() * sum;

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "fit/proof/interval_ends.hpp"
-#include "fit/rounding/format_search.hpp"
+#include "fit/rounding/lattice_search.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
@@ -55,7 +54,10 @@ template <std::size_t N, class Lattice>
 class StudyProblem {
  public:
   StudyProblem(const ReadStudy& study, const Lattice& lattice)
-      : study_(study), lattice_(lattice), error_(error_tape(study), {}), places_(grid_of(study)) {}
+      : study_(study),
+        lattice_(lattice),
+        error_(tape_of(error_formula(study), formula_inputs(study)), {}),
+        places_(grid_of(study)) {}
 
   double bound(const LatticeBox<N>& box, double best) {
     std::vector<Interval> inputs(study_.axes.size());
@@ -78,23 +80,11 @@ class StudyProblem {
     std::vector<double> parameters;
     for (const std::int64_t index : point) parameters.push_back(lattice_.value(index));
     const StudyExtremum worst = largest_weighted_error(study_, parameters);
-    if (std::find(places_.begin(), places_.end(), worst.at) == places_.end())
-      places_.insert(places_.begin(), worst.at);
+    if (std::ranges::find(places_, worst.at) == places_.end()) places_.insert(places_.begin(), worst.at);
     return worst.magnitude;
   }
 
  private:
-  static Tape error_tape(const ReadStudy& study) {
-    std::vector<std::string> inputs;
-    for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
-    inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-    Graph graph(inputs);
-    const std::array outputs{graph.add(error_formula(study))};
-    std::vector<int> given;
-    for (const std::string& input : inputs) given.push_back(graph.add(Symbolic::variable(input)));
-    return {graph, outputs, given};
-  }
-
   const ReadStudy& study_;
   Lattice lattice_;
   TapeProgram<Interval> error_;

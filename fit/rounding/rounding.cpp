@@ -7,7 +7,6 @@
 #include "fit/families/admissible.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/proof/running_error.hpp"
-#include "fit/rounding/format_search.hpp"
 #include "fit/rounding/rounding_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
@@ -162,7 +161,7 @@ void round_with(const Fit& fit, Problem& problem, const std::vector<double>& pub
   std::vector<LatticePoint<N>> starts{point(fit.parameters)};
   GivenPlaces<N> given{};
   for (const Held& held : fit.metric.constraints.held) given[parameter_index(family, held.parameter)] = true;
-  const bool is_free = std::find(given.begin(), given.end(), true) == given.end();
+  const bool is_free = std::ranges::find(given, true) == given.end();
   if (!published.empty() && is_free) starts.push_back(point(published));
   const auto [best, is_proven, searched, boxes, evaluated] =
       search_format(lattice_problem<N>(problem), problem.lattice().last(), starts, given, rounded.format,

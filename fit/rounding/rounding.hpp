@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fit/fit.hpp"
-#include "fit/proof/certificate.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/support/checkpoint.hpp"
 

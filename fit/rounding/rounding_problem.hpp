@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "fit/families/admissible.hpp"
@@ -68,8 +67,7 @@ struct Trial {
 class Trials {
  public:
   bool has(double cos_theta) const {
-    return std::any_of(trials_.begin(), trials_.end(),
-                       [&](const Trial& t) { return t.cos_theta == cos_theta; });
+    return std::ranges::any_of(trials_, [&](const Trial& t) { return t.cos_theta == cos_theta; });
   }
   void add(const Trial& trial) {
     if (!has(trial.cos_theta)) trials_.insert(trials_.begin(), trial);

@@ -1,7 +1,6 @@
 #include "fit/rounding/study_in_format.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -14,17 +13,6 @@
 
 namespace shadefit {
 namespace {
-
-/// Every number of the format in a range.
-template <class Format>
-std::vector<double> numbers_in(const StudyAxis& axis) {
-  const BinaryLattice<Format> lattice;
-  std::vector<double> numbers;
-  std::int64_t i = lattice.nearest(axis.lower);
-  if (lattice.value(i) < axis.lower) ++i;
-  for (; i <= lattice.last() && lattice.value(i) <= axis.upper; ++i) numbers.push_back(lattice.value(i));
-  return numbers;
-}
 
 std::vector<std::string> inputs_of_form(const ReadStudy& study) {
   std::vector<std::string> names;
@@ -42,8 +30,12 @@ double rounded_to(double x) {
 template <class Format>
 std::vector<std::vector<double>> number_nodes(const ReadStudy& study) {
   if (study.axes.size() > 1) throw std::logic_error("the numbers of two ranges are too many");
+  const BinaryLattice<Format> lattice;
   std::vector<std::vector<double>> nodes;
-  for (const double x : numbers_in<Format>(study.axes.front())) nodes.push_back({x});
+  std::int64_t i = lattice.nearest(study.axes.front().lower);
+  if (lattice.value(i) < study.axes.front().lower) ++i;
+  for (; i <= lattice.last() && lattice.value(i) <= study.axes.front().upper; ++i)
+    nodes.push_back({lattice.value(i)});
   return nodes;
 }
 
@@ -128,8 +120,7 @@ ErrorInFormat StudyInFormat<Format>::largest_error(std::span<const double> const
 
 template <class Format>
 double StudyInFormat<Format>::error_from(double x, std::span<const double> constants) {
-  const auto place =
-      std::find_if(places_.begin(), places_.end(), [&](const Sample& p) { return p.variables.front() >= x; });
+  const auto place = std::ranges::find_if(places_, [&](const Sample& p) { return p.variables.front() >= x; });
   return place == places_.end() ? 0 : error_at(*place, constants);
 }
 

@@ -14,8 +14,8 @@ namespace {
 std::vector<double> published_values(const FitReport& report) {
   std::vector<double> values;
   for (const std::string_view parameter : find_family(report.fit.family->id)->parameters) {
-    const auto found = std::find_if(report.assessments.begin(), report.assessments.end(),
-                                    [&](const Assessment& a) { return a.published->parameter == parameter; });
+    const auto found = std::ranges::find_if(
+        report.assessments, [&](const Assessment& a) { return a.published->parameter == parameter; });
     if (found == report.assessments.end()) return {};
     values.push_back(constant<double>(found->published->printed));
   }

@@ -10,13 +10,12 @@
 #include "approx/records/optical_constants.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/sweep.hpp"
-#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
 bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
-  return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
+  return ids.empty() || std::ranges::find(ids, id) != ids.end();
 }
 
 /// A family that is named is refitted at all its exponents. For published numbers it is refitted only at the
@@ -43,7 +42,7 @@ std::optional<WantedFits> wanted_fits(const std::vector<std::string>& ids, const
 
 /// The name of a family includes the claims that begin with it: sg-offset includes sg-offset-mean.
 bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
-  return is_wanted(ids, id) || std::any_of(ids.begin(), ids.end(), [&](const std::string& wanted) {
+  return is_wanted(ids, id) || std::ranges::any_of(ids, [&](const std::string& wanted) {
            return find_family(wanted) != nullptr && id.starts_with(wanted + "-");
          });
 }
@@ -54,7 +53,7 @@ std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const C
   const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
   const FittableFamily& lobe = *find_family(sg_offset.id);
   const auto is_compared = [&](const FittableFamily& family) {
-    return ids.empty() || std::any_of(ids.begin(), ids.end(), [&](const std::string& id) {
+    return ids.empty() || std::ranges::any_of(ids, [&](const std::string& id) {
              const FittableFamily* named = find_family(id);
              return named != nullptr && have_same_target(*named, family);
            });
@@ -74,7 +73,7 @@ std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const C
 std::vector<std::string> known_ids() {
   std::vector<std::string> ids;
   const auto add = [&](std::string_view id) {
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.emplace_back(id);
+    if (std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
   };
   for (const auto& family : fittable_families()) {
     add(family.info.id);
@@ -124,27 +123,25 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
 }
 
 bool all_checks_passed(const Results& results) {
-  const bool converged = std::all_of(results.refits.begin(), results.refits.end(), [](const Refit& refit) {
-    return std::all_of(refit.fits.begin(), refit.fits.end(),
-                       [](const FitReport& report) { return report.fit.status == Status::converged; });
+  const auto& all_of = std::ranges::all_of;
+  const auto is_converged = [](Status status) { return status == Status::converged; };
+  const auto status_of = [](const FitReport& report) { return report.fit.status; };
+  const auto is_exact = [](const Reflectance& point) {
+    return point.estimated_error <= reflectance_tolerance;
+  };
+  const auto is_proven = [](const Contender& contender) { return contender.max_abs_error.is_reached; };
+  const bool converged =
+      all_of(results.refits, [&](const Refit& refit) { return all_of(refit.fits, is_converged, status_of); });
+  const bool confirmed =
+      all_of(results.normalisations, [](const auto& check) { return check.verdict == Verdict::confirmed; });
+  const bool exact = all_of(results.reflectances,
+                            [&](const ReflectanceCurve& curve) { return all_of(curve.points, is_exact); });
+  const bool linked = all_of(results.fresnel_chain, is_converged, &FresnelLink::status);
+  const bool judged =
+      all_of(results.claims, [](const JudgedClaim& claim) { return claim.finding.verdict.has_value(); });
+  const bool proven = all_of(results.comparisons, [&](const Comparison& comparison) {
+    return comparison.left_out.empty() && all_of(comparison.contenders, is_proven);
   });
-  const bool confirmed = std::all_of(results.normalisations.begin(), results.normalisations.end(),
-                                     [](const auto& check) { return check.verdict == Verdict::confirmed; });
-  const bool exact =
-      std::all_of(results.reflectances.begin(), results.reflectances.end(), [](const auto& curve) {
-        return std::all_of(curve.points.begin(), curve.points.end(),
-                           [](const auto& point) { return point.estimated_error <= reflectance_tolerance; });
-      });
-  const bool linked = std::all_of(results.fresnel_chain.begin(), results.fresnel_chain.end(),
-                                  [](const FresnelLink& link) { return link.status == Status::converged; });
-  const bool judged = std::all_of(results.claims.begin(), results.claims.end(),
-                                  [](const JudgedClaim& claim) { return claim.finding.verdict.has_value(); });
-  const bool proven =
-      std::all_of(results.comparisons.begin(), results.comparisons.end(), [](const Comparison& comparison) {
-        return comparison.left_out.empty() &&
-               std::all_of(comparison.contenders.begin(), comparison.contenders.end(),
-                           [](const Contender& contender) { return contender.max_abs_error.is_reached; });
-      });
   return converged && linked && confirmed && exact && judged && proven;
 }
 

@@ -4,7 +4,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/full_range.hpp"
 #include "approx/lobe.hpp"
-#include "fit/stress/regimes.hpp"
+#include "fit/stress/trial.hpp"
 
 namespace shadefit {
 namespace {
@@ -57,10 +57,6 @@ std::vector<Input> with_powers(const BinaryFormat& format, std::size_t random, b
   return inputs;
 }
 
-Decimal50 clamped(const Decimal50& dot) {
-  return dot < 0 ? Decimal50(0) : dot > 1 ? Decimal50(1) : dot;
-}
-
 /// c^k by exp2 and log2, and by pow.
 Regime power_regime() {
   return {.topic = "dot product",
@@ -78,7 +74,7 @@ Regime power_regime() {
                      in_formats([](auto c, auto k) { return power_lobe_of_dot(c, k); }),
                      Roundings{.functions = 1}}},
           .truth = [](const Decimal50& dot,
-                      const Decimal50& k) { return k == 0 ? Decimal50(1) : power_lobe(clamped(dot), k); },
+                      const Decimal50& k) { return k == 0 ? Decimal50(1) : power_lobe(unit_cosine(dot), k); },
           .folds = [](double c, double k) { return c <= 0 || c >= 1 ? 0 : k * std::log(c); },
           .at_most = 1,
           .inputs = [](const BinaryFormat& format,
@@ -86,23 +82,24 @@ Regime power_regime() {
 }
 
 Regime gaussian_regime() {
-  return {.topic = "dot product",
-          .domain = "any c in [-1, 1.01], A = k/ln 2 for k in [0.001, 1e9], as far as A is finite",
-          .names = {"c", "A"},
-          .forms = {{"gaussian_lobe_base_two", "exp2(A c - A)",
-                     in_formats([](auto c, auto a) { return gaussian_lobe_base_two(c, a); })},
-                    {"gaussian_lobe_base_two_of_dot", "exp2(A (c - 1)), c clamped",
-                     in_formats([](auto c, auto a) { return gaussian_lobe_base_two_of_dot(c, a); }),
-                     Roundings{.functions = 1, .operations_per_fold = 2}}},
-          .truth = [](const Decimal50& dot,
-                      const Decimal50& a) { return gaussian_lobe_base_two_of_difference(clamped(dot), a); },
-          .folds =
-              [](double c, double a) {
-                return a * (c < 0 ? -1 : c > 1 ? 0 : c - 1) * std::log(2.0);
-              },
-          .at_most = 1,
-          .inputs = [](const BinaryFormat& format,
-                       std::size_t random) { return with_powers(format, random, false, 1 / std::log(2.0)); }};
+  return {
+      .topic = "dot product",
+      .domain = "any c in [-1, 1.01], A = k/ln 2 for k in [0.001, 1e9], as far as A is finite",
+      .names = {"c", "A"},
+      .forms = {{"gaussian_lobe_base_two", "exp2(A c - A)",
+                 in_formats([](auto c, auto a) { return gaussian_lobe_base_two(c, a); })},
+                {"gaussian_lobe_base_two_of_dot", "exp2(A (c - 1)), c clamped",
+                 in_formats([](auto c, auto a) { return gaussian_lobe_base_two_of_dot(c, a); }),
+                 Roundings{.functions = 1, .operations_per_fold = 2}}},
+      .truth = [](const Decimal50& dot,
+                  const Decimal50& a) { return gaussian_lobe_base_two_of_difference(unit_cosine(dot), a); },
+      .folds =
+          [](double c, double a) {
+            return a * (c < 0 ? -1 : c > 1 ? 0 : c - 1) * std::log(2.0);
+          },
+      .at_most = 1,
+      .inputs = [](const BinaryFormat& format,
+                   std::size_t random) { return with_powers(format, random, false, 1 / std::log(2.0)); }};
 }
 
 Regime schlick_regime() {
@@ -115,13 +112,11 @@ Regime schlick_regime() {
                 {"schlick_weight_of_dot", "(1 - c)^5, c clamped",
                  in_formats([](auto c, auto) { return schlick_weight_of_dot(c); }),
                  Roundings{.operations = 9}}},
-      .truth = [](const Decimal50& dot, const Decimal50&) { return schlick_weight(clamped(dot)); },
+      .truth = [](const Decimal50& dot, const Decimal50&) { return schlick_weight(unit_cosine(dot)); },
       .at_most = 1,
       .inputs =
           [](const BinaryFormat& format, std::size_t random) {
-            std::vector<Input> inputs;
-            for (const double c : dot_products(format, 8 * random, 5)) inputs.push_back({c, 0});
-            return inputs;
+            return single_inputs(format, dot_products(format, 8 * random, 5));
           }};
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/stress/regimes.hpp"
+#include "fit/stress/trial.hpp"
 
 namespace shadefit {
 namespace {
@@ -24,9 +24,7 @@ std::vector<Input> gloss_inputs(const BinaryFormat& format, std::size_t random) 
   }
   Sequence sequence(10);
   for (std::size_t i = 0; i < random; ++i) numbers.push_back(sequence.unit());
-  std::vector<Input> all;
-  for (const double g : numbers) all.push_back({round_to(format, g), 0});
-  return all;
+  return single_inputs(format, numbers);
 }
 
 template <class T>
@@ -49,11 +47,7 @@ std::vector<Regime> gloss_regimes() {
                     return decode_clamped_gloss(gloss, integer<T>(doublings), integer<T>(first));
                   }),
                   Roundings{.operations = 1, .functions = 2, .operations_per_fold = 1}}},
-       .truth =
-           [](const Decimal50& gloss, const Decimal50&) {
-             const Decimal50 clamped = gloss < 0 ? Decimal50(0) : gloss > 1 ? Decimal50(1) : gloss;
-             return decoded(clamped);
-           },
+       .truth = [](const Decimal50& gloss, const Decimal50&) { return decoded(unit_cosine(gloss)); },
        .folds = [](double gloss, double) { return doublings * std::clamp(gloss, 0.0, 1.0) * std::log(2.0); },
        .at_most = 2048,
        .inputs = gloss_inputs}};

@@ -34,7 +34,7 @@ std::vector<Decimal50> joints(const F& family, const Domain& domain) {
   } else {
     for (int i = 1; i < 4; ++i) add(top + (bottom - top) * i / 4);
   }
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
 }
 

@@ -3,34 +3,22 @@
 
 #include <cmath>
 
-#include "fit/stress/regimes.hpp"
+#include "fit/stress/trial.hpp"
 
 namespace shadefit {
 namespace {
 
 std::vector<Input> normalisation_inputs(const BinaryFormat& format, std::size_t random) {
   const double top = largest(format);
-  std::vector<double> numbers{0,
-                              least_subnormal(format),
-                              least_normal(format),
-                              1e-30,
-                              1e-12,
-                              1e-7,
-                              1e-5,
-                              1e18,
-                              1e19,
-                              1e20,
-                              std::sqrt(top),
-                              top};
-  for (const double k : exponents(format)) numbers.push_back(k);
+  std::vector<double> numbers = exponents(format);
+  numbers.insert(numbers.end(), {0, least_subnormal(format), least_normal(format), 1e-30, 1e-12, 1e-7, 1e-5,
+                                 1e18, 1e19, 1e20, std::sqrt(top), top});
   for (double alpha = 0.125; alpha < 4096; alpha += alpha < 32 ? 0.125 : 8) numbers.push_back(alpha);
   Sequence sequence(9);
   for (std::size_t i = 0; i < random; ++i)
     numbers.push_back(i % 2 == 0 ? log_uniform(sequence, 1e-3, 1e6)
                                  : log_uniform(sequence, least_subnormal(format), top));
-  std::vector<Input> all;
-  for (const double alpha : with_neighbours(format, numbers, 0, top, 1)) all.push_back({alpha, 0});
-  return all;
+  return single_inputs(format, with_neighbours(format, numbers, 0, top, 1));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ std::vector<double> with_neighbours(const BinaryFormat& format, const std::vecto
       add(above = neighbour(format, above, true));
     }
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
@@ -101,6 +101,12 @@ std::vector<Input> near_peak_inputs(const BinaryFormat& format, double high, std
     inputs.push_back({y, k});
   }
   return inputs;
+}
+
+std::vector<Input> single_inputs(const BinaryFormat& format, const std::vector<double>& numbers) {
+  std::vector<Input> all;
+  for (const double x : numbers) all.push_back({round_to(format, x), 0});
+  return all;
 }
 
 std::vector<double> edges(const BinaryFormat& format, double high) {

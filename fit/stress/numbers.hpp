@@ -6,10 +6,34 @@
 #include <vector>
 
 #include "fit/errors/ulps.hpp"
-#include "fit/stress/sequence.hpp"
 
 /// The inputs of a stress test, numbers of a format. Numbers of half and float are stored exactly as doubles.
 namespace shadefit {
+
+/// Random numbers that are the same on every machine: SplitMix64. Source: Steele, Lea, Flood 2014, "Fast
+/// Splittable Pseudorandom Number Generators". The distributions of the standard library differ between
+/// libraries; here a number is made from the bits directly.
+class Sequence {
+ public:
+  explicit Sequence(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t next() {
+    state_ += 0x9E3779B97F4A7C15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+  }
+
+  /// Uniform in [0, 1): a multiple of 2^-53.
+  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+  /// Uniform in [low, high).
+  double between(double low, double high) { return low + (high - low) * unit(); }
+
+ private:
+  std::uint64_t state_;
+};
 
 /// One or two numbers of a format; the second is 0 if a form has one argument.
 using Input = std::array<double, 2>;
@@ -40,6 +64,9 @@ std::vector<double> exponents(const BinaryFormat& format);
 /// has its slope, for t up to the underflow of the format; and random pairs of both kinds.
 std::vector<Input> near_peak_inputs(const BinaryFormat& format, double high, std::size_t random,
                                     std::uint64_t seed);
+
+/// Inputs of forms with one argument, rounded to the format.
+std::vector<Input> single_inputs(const BinaryFormat& format, const std::vector<double>& numbers);
 
 /// The edge cases in [0, high]: 0, subnormals, powers of two, decimals, the ends.
 std::vector<double> edges(const BinaryFormat& format, double high);

@@ -1,9 +1,7 @@
 #include "approx/phase.hpp"
 #include "approx/full_range.hpp"
 
-#include <cmath>
-
-#include "fit/stress/regimes.hpp"
+#include "fit/stress/trial.hpp"
 
 namespace shadefit {
 namespace {

@@ -1,7 +1,6 @@
-#include <cmath>
 
 #include "approx/scalar.hpp"
-#include "fit/stress/regimes.hpp"
+#include "fit/stress/trial.hpp"
 
 namespace shadefit {
 namespace {
@@ -16,9 +15,7 @@ std::vector<Input> remainder_inputs(const BinaryFormat& format, std::size_t rand
     const double size = i % 2 == 0 ? sequence.unit() : log_uniform(sequence, least_normal(format), 1);
     numbers.push_back(i % 4 < 2 ? size : -size);
   }
-  std::vector<Input> all;
-  for (const double x : with_neighbours(format, numbers, -end, largest(format), 1)) all.push_back({x, 0});
-  return all;
+  return single_inputs(format, with_neighbours(format, numbers, -end, largest(format), 1));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "fit/least_squares/newton.hpp"
 #include "fit/solve/solve.hpp"
 #include "fit/stress/newton_in_50_digits.hpp"
-#include "fit/stress/sequence.hpp"
+#include "fit/stress/numbers.hpp"
 
 namespace shadefit {
 namespace {
@@ -67,7 +67,7 @@ template <class F>
 int digits_of(const F& family, const Metric& metric, const std::vector<double>& answer) {
   constexpr std::size_t n = F::parameters.size();
   std::array<Decimal50, n> p;
-  std::copy(answer.begin(), answer.end(), p.begin());
+  std::ranges::copy(answer, p.begin());
   const auto gradient = gradient_in_50_digits(family, metric.domain, p);
   ParameterMatrix<double> hessian(n, n);
   ParameterVector<double> g(n);
@@ -93,11 +93,8 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
   const F family = make_family<F>(at.setting);
   const Metric metric{.domain = at.domain};
   const Solution own = solve_by_squares(family, metric);
-  StartsTrial trial;
-  trial.family = F::info.id;
+  StartsTrial trial{.family = F::info.id, .domain = at.domain, .status = own.status};
   if constexpr (requires { family.exponent; }) trial.exponent = family.exponent;
-  trial.domain = at.domain;
-  trial.status = own.status;
   // If the family's own starts do not lead to one optimum, the first fit that converges defines it.
   Solution reference = own;
   const auto measure = [&] {
@@ -110,7 +107,7 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
     if (i % 64 == 0) checkpoint();
     const auto starts = starts_in_box(starts_of_family(family), sequence);
     const Solution found = solve_by_squares(family, metric, starts);
-    trial.starts += static_cast<long>(starts.size());
+    trial.starts += std::ssize(starts);
     ++trial.fits;
     if (found.status != Status::converged) {
       ++trial.failed;
@@ -120,8 +117,7 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
       reference = found;
       measure();
     }
-    if (std::find(starts.begin(), starts.end(), vector_of(found.parameters)) != starts.end())
-      ++trial.returned;
+    if (std::ranges::find(starts, vector_of(found.parameters)) != starts.end()) ++trial.returned;
     const bool is_there = distance(found.parameters, reference.parameters) <= same_answer;
     ++(is_there ? trial.reached : trial.elsewhere);
   }

@@ -17,7 +17,7 @@ namespace shadefit {
 /// three starts are drawn from a wide box. All have to lead to one optimum.
 struct StartsTrial {
   std::string_view family;
-  std::optional<double> exponent;
+  std::optional<double> exponent = {};
   Domain domain;
   Status status = Status::not_converged;  ///< of the fit from the family's own starts
   long starts = 0;

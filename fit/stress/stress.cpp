@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "fit/stress/regimes.hpp"
-
 namespace shadefit {
 
 std::vector<FormTrial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,

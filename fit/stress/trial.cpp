@@ -46,14 +46,8 @@ std::vector<Exact> exact_values(const Regime& regime, const BinaryFormat& format
 FormTrial try_form(const Regime& regime, const StressedForm& form, std::size_t format_index,
                    const std::vector<Input>& inputs, const std::vector<Exact>& exact) {
   const BinaryFormat& format = stress_formats[format_index];
-  FormTrial trial;
-  trial.topic = regime.topic;
-  trial.form = form.name;
-  trial.formula = form.formula;
-  trial.domain = regime.domain;
-  trial.format = format;
-  trial.bound = form.bound;
-  trial.inputs = static_cast<long>(inputs.size());
+  FormTrial trial{regime.topic, form.name,  form.formula,      regime.domain,
+                  format,       form.bound, std::ssize(inputs)};
   if (regime.at_most) trial.above = 0;
   std::vector<double> errors;
   errors.reserve(inputs.size());
@@ -77,8 +71,7 @@ FormTrial try_form(const Regime& regime, const StressedForm& form, std::size_t f
     trial.worst_share = std::max(trial.worst_share, std::isnan(share) ? 0 : share);
     if (share > 1 && trial.first_broken.empty()) trial.first_broken = text_of(inputs[i], regime.names);
   }
-  const auto bad =
-      std::find_if(errors.begin(), errors.end(), [&](double e) { return 2 * e > trial.worst_ulps; });
+  const auto bad = std::ranges::find_if(errors, [&](double e) { return 2 * e > trial.worst_ulps; });
   if (bad != errors.end())
     trial.worst_at = text_of(inputs[static_cast<std::size_t>(bad - errors.begin())], regime.names);
   return trial;

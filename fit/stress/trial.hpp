@@ -83,17 +83,17 @@ struct FormTrial {
   std::string_view topic, form;
   std::string formula, domain;
   BinaryFormat format = double_format;
-  std::optional<Roundings> bound;
+  std::optional<Roundings> bound = {};
   long inputs = 0;
-  double worst_ulps = 0;   ///< of the results that are numbers
-  std::string worst_at;    ///< the first input with more than half of the worst error, as text; empty if
-                           ///< nothing is wrong
-  double worst_share = 0;  ///< of a robust form: the largest ratio of an error to its bound
+  double worst_ulps = 0;      ///< of the results that are numbers
+  std::string worst_at = {};  ///< the first input with more than half of the worst error, as text; empty if
+                              ///< nothing is wrong
+  double worst_share = 0;     ///< of a robust form: the largest ratio of an error to its bound
   long nan = 0, infinite = 0,
        negative = 0;  ///< unusable results, where the truth is a number of the format that is not negative
-  std::optional<long> above;  ///< results above the largest value, if there is one
-  std::string first_bad;      ///< the first input of these results
-  std::string first_broken;   ///< of a robust form: the first input beyond its bound
+  std::optional<long> above = {};  ///< results above the largest value, if there is one
+  std::string first_bad = {};      ///< the first input of these results
+  std::string first_broken = {};   ///< of a robust form: the first input beyond its bound
 
   bool is_robust() const { return bound.has_value(); }
   /// Whether the form keeps its bound and has no unusable result.
@@ -103,5 +103,15 @@ struct FormTrial {
 /// Tests the forms of a regime in each format, at its edges and at about that many random inputs.
 std::vector<FormTrial> try_forms(const Regime& regime, std::size_t random,
                                  const Checkpoint& checkpoint = keep_going);
+
+// The regimes, one file for each topic.
+
+std::vector<Regime> lobe_regimes();              ///< c^k near its peak; its Gaussian with A; the half angle
+std::vector<Regime> dot_product_regimes();       ///< c at and beyond the ends of [0, 1]
+std::vector<Regime> von_mises_fisher_regimes();  ///< its normalised density
+std::vector<Regime> phase_regimes();             ///< Henyey-Greenstein
+std::vector<Regime> normalisation_regimes();     ///< of Blinn-Phong
+std::vector<Regime> gloss_regimes();             ///< decoding
+std::vector<Regime> remainder_regimes();         ///< log1p(x) - x
 
 }  // namespace shadefit

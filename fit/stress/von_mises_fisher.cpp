@@ -1,9 +1,7 @@
 #include "approx/von_mises_fisher.hpp"
 #include "approx/full_range.hpp"
 
-#include <cmath>
-
-#include "fit/stress/regimes.hpp"
+#include "fit/stress/trial.hpp"
 
 namespace shadefit {
 namespace {

@@ -7,7 +7,6 @@
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval_ends.hpp"
-#include "fit/study/study_problem.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/decimal.hpp"

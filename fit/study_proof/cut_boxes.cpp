@@ -48,7 +48,7 @@ class LineSums {
     const auto halves = halves_of(region, axis).value();
     for (const StudyBox& half : halves) {
       std::vector<std::size_t> inside_half;
-      std::copy_if(rest.begin(), rest.end(), std::back_inserter(inside_half), [&](std::size_t i) {
+      std::ranges::copy_if(rest, std::back_inserter(inside_half), [&](std::size_t i) {
         const Stretch& side = boxes_[i].box[axis];
         return side.lower < half[axis].upper && side.upper > half[axis].lower;
       });
@@ -102,8 +102,7 @@ std::vector<StudyBox> halves_of_all(std::span<const JudgedBox> boxes) {
 /// The answer for boxes that would have to be cut on.
 ShapeProof open_at(std::span<const JudgedBox> boxes, std::span<const Domain> ranges, std::size_t count,
                    std::size_t most) {
-  const auto worst = std::max_element(
-      boxes.begin(), boxes.end(), [](const JudgedBox& a, const JudgedBox& b) { return a.amount < b.amount; });
+  const auto worst = std::ranges::max_element(boxes, {}, &JudgedBox::amount);
   return {Proof::open, place_in(worst->box, ranges), count,
           std::isfinite(worst->amount) ? "a proof needs more than " + std::to_string(most) + " boxes"
                                        : "a proof finds no finite bound"};

@@ -21,7 +21,7 @@ Symbolic separated(const Symbolic& e, std::vector<Symbolic>& integrals) {
   using Kind = Symbolic::Kind;
   if (e.kind() == Kind::integral) {
     const auto is_same = [text = to_text(e)](const Symbolic& other) { return to_text(other) == text; };
-    const auto found = std::find_if(integrals.begin(), integrals.end(), is_same);
+    const auto found = std::ranges::find_if(integrals, is_same);
     const auto i = static_cast<std::size_t>(found - integrals.begin());
     if (found == integrals.end()) integrals.push_back(e);
     return Symbolic::variable(name_of_integral(i));
@@ -53,8 +53,7 @@ struct EnclosedError::Programs {
   }
 
   static std::vector<std::string> inputs_of(const ReadStudy& study, std::size_t integrals) {
-    std::vector<std::string> inputs;
-    for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
+    std::vector<std::string> inputs = node_variables(study);
     for (std::size_t i = 0; i < integrals; ++i) inputs.push_back(name_of_integral(i));
     inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
     return inputs;
@@ -85,18 +84,22 @@ EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> p
     integrals_.push_back(known.of(study, integral, parameters));
 }
 
-const Interval& EnclosedError::value_for(std::vector<Interval> variables) {
+/// The variables, then the integrals there.
+std::vector<Interval> EnclosedError::with_integrals(std::vector<Interval> variables) {
   const std::size_t count = variables.size();
   for (const auto& integral : integrals_)
     variables.push_back(integral->value(std::span(variables).first(count)));
-  value_.run(variables);
+  return variables;
+}
+
+const Interval& EnclosedError::value_for(std::vector<Interval> variables) {
+  value_.run(with_integrals(std::move(variables)));
   return value_.output(0);
 }
 
 std::vector<Interval> EnclosedError::slopes_for(std::vector<Interval> variables) {
   const std::size_t count = variables.size();
-  for (const auto& integral : integrals_)
-    variables.push_back(integral->value(std::span(variables).first(count)));
+  variables = with_integrals(std::move(variables));
   slopes_.run(variables);
   std::vector<Interval> slopes;
   for (std::size_t i = 0; i < count; ++i) slopes.push_back(slopes_.output(i));
@@ -108,15 +111,12 @@ std::vector<Interval> EnclosedError::slopes_for(std::vector<Interval> variables)
 }
 
 /// The second derivative by the only variable. Each integral k is a function of it: the error is e(x, k(x)).
-Interval EnclosedError::curvature_for(std::vector<Interval> variables) {
+Interval EnclosedError::curvature_for(const std::vector<Interval>& variables) {
   std::vector<Interval> by_variable{Interval(1)};  // of x and of the integrals
   Interval sum(0);
-  const std::size_t count = variables.size();
-  for (const auto& integral : integrals_) {
-    variables.push_back(integral->value(std::span(variables).first(count)));
-    by_variable.push_back(integral->slopes(std::span(variables).first(count)).front());
-  }
-  curvatures_.run(variables);
+  for (const auto& integral : integrals_) by_variable.push_back(integral->slopes(variables).front());
+  const std::vector<Interval> inputs = with_integrals(variables);
+  curvatures_.run(inputs);
   std::size_t pair = 0;
   for (std::size_t i = 0; i < by_variable.size(); ++i) {
     for (std::size_t k = 0; k <= i; ++k) {
@@ -124,20 +124,20 @@ Interval EnclosedError::curvature_for(std::vector<Interval> variables) {
       sum = sum + (k < i ? Interval(Interval(2) * term) : term);
     }
   }
-  slopes_.run(variables);
+  slopes_.run(inputs);
   for (std::size_t k = 0; k < integrals_.size(); ++k)
-    sum = sum + slopes_.output(count + k) * integrals_[k]->curvature(std::span(variables).first(count));
+    sum = sum + slopes_.output(1 + k) * integrals_[k]->curvature(variables);
   return sum;
 }
 
 std::vector<Interval> EnclosedError::slopes_on(const StudyBox& box) {
-  std::vector<Interval> slopes = slopes_for(numbers_on(box));
+  std::vector<Interval> slopes = slopes_for(numbers_on(box, ranges_));
   if (box.size() > 1 || !is_bounded(slopes[0]) || has_one_sign(slopes[0])) return slopes;
   if (kinks_.may_happen(slopes_, 1 + integrals_.size())) return slopes;
-  const Interval curvature = curvature_for(numbers_on(box));
+  const Interval curvature = curvature_for(numbers_on(box, ranges_));
   if (!is_bounded(curvature)) return slopes;
   const Stretch middle = middle_of(box[0]);
-  const Interval in_middle = slopes_for(numbers_on({middle})).front();
+  const Interval in_middle = slopes_for(numbers_on({middle}, ranges_)).front();
   const Interval moved =
       in_middle + curvature * (span_of(box[0].lower, box[0].upper) - Interval(middle.lower));
   if (is_bounded(moved)) slopes[0] = shared_by(slopes[0], moved);
@@ -148,28 +148,10 @@ Interval EnclosedError::at(std::span<const double> place) {
   return value_for({place.begin(), place.end()});
 }
 
-std::vector<Interval> EnclosedError::numbers_on(const StudyBox& box) const {
-  std::vector<Interval> numbers;
-  for (std::size_t i = 0; i < box.size(); ++i) numbers.push_back(numbers_of(box[i], ranges_[i]));
-  return numbers;
-}
-
-/// The variable with the largest part of its range in a box.
-std::size_t EnclosedError::widest(const StudyBox& box) const {
-  std::size_t widest = 0;
-  const auto share = [&](std::size_t i) {
-    return (box[i].upper - box[i].lower) / (ranges_[i].upper / 2 - ranges_[i].lower / 2);
-  };
-  for (std::size_t i = 1; i < box.size(); ++i) {
-    if (share(i) > share(widest)) widest = i;
-  }
-  return widest;
-}
-
 BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
-  const Interval value = value_for(numbers_on(box));
+  const Interval value = value_for(numbers_on(box, ranges_));
   const double natural = largest_magnitude_in(value);
-  BoxBound result{natural, widest(box), place_in(box, ranges_)};
+  BoxBound result{natural, widest_axis(box, ranges_), place_in(box, ranges_)};
   if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
 
   const std::vector<Interval> slopes = slopes_on(box);
@@ -182,8 +164,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
     widest_term = width;
     result.axis = axis;
   };
-  StudyBox middle = box;
-  for (auto& side : middle) side = middle_of(side);
+  const StudyBox middle = middle_of_all(box);
   for (std::size_t i = 0; i < box.size(); ++i) {
     const Interval& slope = slopes[i];
     const double from = box[i].lower, to = box[i].upper;
@@ -191,7 +172,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
       // Next to a root, for example: the width of the value along this variable replaces the term.
       StudyBox line = middle;
       line[i] = box[i];
-      cut_if_wider(i, width_of(value_for(numbers_on(line))));
+      cut_if_wider(i, width_of(value_for(numbers_on(line, ranges_))));
       continue;
     }
     if (is_never_negative(slope) || is_never_positive(slope)) {
@@ -205,7 +186,8 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
     rest = rest + term;
     cut_if_wider(i, width_of(term));
   }
-  const Interval top = value_for(numbers_on(high)) + rest, bottom = value_for(numbers_on(low)) + rest;
+  const Interval top = value_for(numbers_on(high, ranges_)) + rest,
+                 bottom = value_for(numbers_on(low, ranges_)) + rest;
   if (!is_bounded(top) || !is_bounded(bottom)) return result;
   const bool is_top = largest_magnitude_in(top) >= largest_magnitude_in(bottom);
   result.place = place_in(is_top ? high : low, ranges_);

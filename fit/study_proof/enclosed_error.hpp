@@ -52,12 +52,11 @@ class EnclosedError {
   EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, KnownIntegrals known,
                 Programs programs);
 
+  std::vector<Interval> with_integrals(std::vector<Interval> variables);
   const Interval& value_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_on(const StudyBox& box);
-  Interval curvature_for(std::vector<Interval> variables);
-  std::vector<Interval> numbers_on(const StudyBox& box) const;
-  std::size_t widest(const StudyBox& box) const;
+  Interval curvature_for(const std::vector<Interval>& variables);
 
   std::vector<Domain> ranges_;
   /// Of the error and of its slopes, where kinks are jumps. Their deciding nodes are the last outputs of

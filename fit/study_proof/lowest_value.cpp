@@ -9,29 +9,6 @@
 namespace shadefit {
 namespace {
 
-std::vector<Interval> numbers_on(const StudyBox& box, std::span<const Domain> ranges) {
-  std::vector<Interval> numbers;
-  for (std::size_t i = 0; i < box.size(); ++i) numbers.push_back(numbers_of(box[i], ranges[i]));
-  return numbers;
-}
-
-/// The variable with the largest part of its range in a box.
-std::size_t widest_axis(const StudyBox& box, std::span<const Domain> ranges) {
-  const auto share = [&](std::size_t i) {
-    return (box[i].upper - box[i].lower) / (ranges[i].upper - ranges[i].lower);
-  };
-  std::size_t widest = 0;
-  for (std::size_t i = 1; i < box.size(); ++i) {
-    if (share(i) > share(widest)) widest = i;
-  }
-  return widest;
-}
-
-StudyBox middle_of_all(StudyBox box) {
-  for (Stretch& side : box) side = middle_of(side);
-  return box;
-}
-
 bool is_one_place(const Stretch& side) {
   return side.lower == side.upper;
 }
@@ -135,7 +112,7 @@ void LowestValue::improve_by_mean_value(const StudyBox& box, LowestOnBox& result
 
 StudyBox LowestValue::least_face(StudyBox box) {
   bool is_narrower = true;
-  while (is_narrower && !std::all_of(box.begin(), box.end(), is_one_place)) {
+  while (is_narrower && !std::ranges::all_of(box, is_one_place)) {
     is_narrower = false;
     slopes_.run(numbers_on(box, ranges_));
     for (std::size_t i = 0; i < box.size(); ++i) {

@@ -44,7 +44,7 @@ struct ShapeProof {
 /// Of several constraints only the first one in this order is proven. Other constraints are not proven.
 ///
 /// A bound is proven on boxes, which are cut until it holds on each. For `monotone` the proof sums over the
-/// boxes of a line how far the form may run the wrong way (fit/study_proof/prove_course.hpp).
+/// boxes of a line how far the form may run the wrong way.
 ///
 /// The answer is `open`, with a reason, if that needs more than `most_shape_boxes`, if a monotone form may
 /// have a pole, if the form has an integral, or if the target at an end has an integral inside another one.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <queue>
-#include <string>
 #include <vector>
 
 #include "fit/proof/enclosed_constant.hpp"
@@ -15,11 +14,6 @@
 
 namespace shadefit {
 namespace {
-
-std::vector<std::string> with_parameters(std::vector<std::string> variables, const ReadStudy& study) {
-  variables.insert(variables.end(), study.parameters.begin(), study.parameters.end());
-  return variables;
-}
 
 template <class Format>
 std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants) {
@@ -33,37 +27,21 @@ std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants)
 template <class Format>
 class RoundingOnBoxes {
  public:
-  RoundingOnBoxes(const ReadStudy& study, const Constants& constants,
-                  const std::vector<std::string>& variables)
-      : form_(tape_of(study.form, with_parameters(variables, study)), rounded_constants<Format>(constants)),
-        scale_(tape_of(error_factor(study), variables), {}) {
+  RoundingOnBoxes(const ReadStudy& study, const Constants& constants)
+      : form_(tape_of(study.form, formula_inputs(study)), rounded_constants<Format>(constants)),
+        scale_(tape_of(error_factor(study), node_variables(study)), {}) {
     for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
   }
 
   std::span<const Domain> ranges() const { return ranges_; }
 
   double bound_on(const StudyBox& box) {
-    std::vector<Interval> numbers;
+    const std::vector<Interval> numbers = numbers_on(box, ranges_);
     std::vector<RunningNarrow<Format>> operands;
-    for (std::size_t i = 0; i < box.size(); ++i) {
-      numbers.push_back(numbers_of(box[i], ranges_[i]));
-      operands.push_back(RunningNarrow<Format>::exact(numbers.back()));
-    }
+    for (const Interval& x : numbers) operands.push_back(RunningNarrow<Format>::exact(x));
     form_.run(operands);
     scale_.run(numbers);
     return largest_magnitude_in(Interval(form_.output(0).error) * scale_.output(0));
-  }
-
-  /// The variable with the largest part of its range in a box.
-  std::size_t widest(const StudyBox& box) const {
-    std::size_t widest = 0;
-    const auto share = [&](std::size_t i) {
-      return (box[i].upper - box[i].lower) / (ranges_[i].upper - ranges_[i].lower);
-    };
-    for (std::size_t i = 1; i < box.size(); ++i) {
-      if (share(i) > share(widest)) widest = i;
-    }
-    return widest;
   }
 
  private:
@@ -101,7 +79,8 @@ double bound_on_boxes(RoundingOnBoxes<Format> rounding, const Checkpoint& checkp
   constexpr double near = 1.05;
   while (open.top().bound > near * reached && open.size() < box_limit) {
     checkpoint();
-    const auto halves = halves_of(open.top().box, rounding.widest(open.top().box));
+    const StudyBox& box = open.top().box;
+    const auto halves = halves_of(box, widest_axis(box, rounding.ranges()));
     if (!halves) break;
     open.pop();
     for (const StudyBox& half : *halves) add(half);
@@ -117,8 +96,7 @@ double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoi
   // An integral stands for a sum, and in intervals that sum does not enclose it.
   if (integral_depth(study.form) > 0 || integral_depth(error_factor(study)) > 0)
     return std::numeric_limits<double>::infinity();
-  return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters, node_variables(study)), checkpoint,
-                        box_limit);
+  return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters), checkpoint, box_limit);
 }
 
 template double bound_of_rounding<FloatFormat>(const StudySubject&, const Checkpoint&, std::size_t);

@@ -29,6 +29,11 @@ Stretch middle_of(const Stretch& stretch) {
   return {stretch.is_from_upper, middle, middle};
 }
 
+StudyBox middle_of_all(StudyBox box) {
+  for (Stretch& side : box) side = middle_of(side);
+  return box;
+}
+
 std::optional<std::array<StudyBox, 2>> halves_of(const StudyBox& box, std::size_t axis) {
   const double middle = middle_of(box[axis]).lower;
   if (!(box[axis].lower < middle && middle < box[axis].upper)) return std::nullopt;
@@ -40,6 +45,23 @@ std::optional<std::array<StudyBox, 2>> halves_of(const StudyBox& box, std::size_
 
 Interval numbers_of(const Stretch& stretch, const Domain& range) {
   return Interval(stretch.is_from_upper ? range.upper : range.lower) + span_of(stretch.lower, stretch.upper);
+}
+
+std::vector<Interval> numbers_on(const StudyBox& box, std::span<const Domain> ranges) {
+  std::vector<Interval> numbers;
+  for (std::size_t i = 0; i < box.size(); ++i) numbers.push_back(numbers_of(box[i], ranges[i]));
+  return numbers;
+}
+
+std::size_t widest_axis(const StudyBox& box, std::span<const Domain> ranges) {
+  std::size_t widest = 0;
+  const auto share = [&](std::size_t i) {
+    return (box[i].upper - box[i].lower) / (ranges[i].upper / 2 - ranges[i].lower / 2);
+  };
+  for (std::size_t i = 1; i < box.size(); ++i) {
+    if (share(i) > share(widest)) widest = i;
+  }
+  return widest;
 }
 
 std::vector<double> place_in(const StudyBox& box, std::span<const Domain> ranges) {
@@ -54,7 +76,7 @@ std::vector<double> place_in(const StudyBox& box, std::span<const Domain> ranges
 std::string visit_boxes(std::span<const Domain> ranges, std::string_view text,
                         const std::function<std::string(const StudyBox&)>& visit) {
   std::vector<StudyBox> open = corners_of(ranges);
-  std::reverse(open.begin(), open.end());
+  std::ranges::reverse(open);
   for (const char c : text) {
     if (open.empty()) return "its boxes go on after the last one";
     const StudyBox box = open.back();

@@ -33,11 +33,18 @@ std::vector<StudyBox> corners_of(std::span<const Domain> ranges);
 /// The stretch of one number, the middle of this one.
 Stretch middle_of(const Stretch& stretch);
 
+/// The box of one place, the middles of all its stretches.
+StudyBox middle_of_all(StudyBox box);
+
 /// A box cut at the middle of one variable; empty if no double lies between its ends.
 std::optional<std::array<StudyBox, 2>> halves_of(const StudyBox& box, std::size_t axis);
 
-/// The numbers of a stretch, enclosed.
+/// The numbers of a stretch, enclosed; and those of each stretch of a box.
 Interval numbers_of(const Stretch& stretch, const Domain& range);
+std::vector<Interval> numbers_on(const StudyBox& box, std::span<const Domain> ranges);
+
+/// The variable with the largest part of its range in a box.
+std::size_t widest_axis(const StudyBox& box, std::span<const Domain> ranges);
 
 /// The place of doubles nearest to the middle of a box, within the ranges.
 std::vector<double> place_in(const StudyBox& box, std::span<const Domain> ranges);

@@ -38,13 +38,6 @@ Symbolic on_unit_interval(const Symbolic& integral) {
          });
 }
 
-std::vector<std::string> inputs_of(const ReadStudy& study) {
-  std::vector<std::string> inputs{unit_variable};
-  for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
-  inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-  return inputs;
-}
-
 std::vector<Series> as_series(std::span<const Interval> constants) {
   return {constants.begin(), constants.end()};
 }
@@ -84,9 +77,8 @@ class StudyIntegral::Panels {
   std::vector<Interval> computed(std::span<const Interval> variables) {
     std::vector<Panel> panels{panel(variables, 0, 1)};
     while (panels.size() < most_inner_panels) {
-      const auto worst = std::max_element(panels.begin(), panels.end(), [](const Panel& a, const Panel& b) {
-        return a.excess < b.excess || (a.excess == b.excess && a.upper - a.lower < b.upper - b.lower);
-      });
+      const auto worst = std::ranges::max_element(
+          panels, {}, [](const Panel& p) { return std::pair(p.excess, p.upper - p.lower); });
       if (worst->excess <= allowed(panels)) break;
       const Panel cut = *worst;
       const double middle = cut.lower + (cut.upper - cut.lower) / 2;
@@ -135,7 +127,7 @@ class StudyIntegral::Panels {
     std::vector<Interval> rest;
     run_series(variables, Series::variable(span_of(lower, upper)));
     for (std::size_t i = 0; i < count_; ++i) rest.push_back(moment(series_.output(i)[order], radius, order));
-    if (!std::all_of(rest.begin(), rest.end(), is_bounded)) return std::nullopt;
+    if (!std::ranges::all_of(rest, is_bounded)) return std::nullopt;
     run_series(variables, Series::variable(Interval(middle)));
     for (std::size_t i = 0; i < count_; ++i) {
       Interval sum(0);
@@ -144,7 +136,7 @@ class StudyIntegral::Panels {
       result.excess = std::fmax(result.excess, width_of(rest[i]));
       result.values.push_back(sum + rest[i]);
     }
-    if (!std::all_of(result.values.begin(), result.values.end(), is_bounded)) return std::nullopt;
+    if (!std::ranges::all_of(result.values, is_bounded)) return std::nullopt;
     return result;
   }
 
@@ -180,7 +172,8 @@ class StudyIntegral::Panels {
 
 StudyIntegral::StudyIntegral(const ReadStudy& study, const Symbolic& integral,
                              std::span<const Interval> parameters) {
-  const std::vector<std::string> inputs = inputs_of(study);
+  std::vector<std::string> inputs = formula_inputs(study);
+  inputs.insert(inputs.begin(), unit_variable);
   Graph graph(inputs);
   const int body = graph.add(on_unit_interval(integral));
   const Jumps jumps(graph);
@@ -216,8 +209,8 @@ Interval StudyIntegral::curvature(std::span<const Interval> variables) {
 std::shared_ptr<StudyIntegral> KnownIntegrals::of(const ReadStudy& study, const Symbolic& integral,
                                                   std::span<const Interval> parameters) {
   const std::set<std::string> names = free_variables(integral);
-  const bool has_parameters = std::any_of(study.parameters.begin(), study.parameters.end(),
-                                          [&](const std::string& name) { return names.contains(name); });
+  const bool has_parameters =
+      std::ranges::any_of(study.parameters, [&](const std::string& name) { return names.contains(name); });
   if (has_parameters) return std::make_shared<StudyIntegral>(study, integral, parameters);
   std::shared_ptr<StudyIntegral>& known = (*known_)[to_text(integral)];
   if (known == nullptr) {

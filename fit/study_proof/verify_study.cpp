@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "fit/formula/parse_formula.hpp"
 #include "fit/proof/enclosed_constant.hpp"
@@ -29,16 +28,6 @@ std::string check_ranges(const StudyCertificate& certificate, const ReadStudy& s
       return "the range of " + axis.variable + " is not " + range_text(range.lower, range.upper) +
              ": the doubles of its formulas are " + range_text(axis.lower, axis.upper);
   }
-  return "";
-}
-
-std::string check_bounds(const StudyCertificate& certificate) {
-  if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
-    return "its bounds are not an interval";
-  // A proof holds again only in an arithmetic that is at least as wide.
-  if (certificate.precision <= 0 || certificate.precision > interval_precision())
-    return "it was made with " + std::to_string(certificate.precision) + " bits, this build uses " +
-           std::to_string(interval_precision());
   return "";
 }
 
@@ -90,14 +79,15 @@ bool is_exactly(const std::string& formula, double value) {
 }
 
 std::size_t count_boxes(const StudyCertificate& certificate) {
-  return static_cast<std::size_t>(std::count(certificate.boxes.begin(), certificate.boxes.end(), '.'));
+  return static_cast<std::size_t>(std::ranges::count(certificate.boxes, '.'));
 }
 
 std::string reason_to_refuse(const StudyCertificate& certificate, const ShareDone& done) {
   if (std::string fault = fault_of(certificate.subject); !fault.empty()) return fault;
   const ReadStudy study = read_formulas(certificate.subject.study);
   if (std::string reason = check_ranges(certificate, study); !reason.empty()) return reason;
-  if (std::string reason = check_bounds(certificate); !reason.empty()) return reason;
+  std::string fault = fault_of_bounds(certificate.lower, certificate.upper, certificate.precision);
+  if (!fault.empty()) return fault;
   std::vector<Interval> parameters;
   for (const auto& [name, text] : certificate.subject.parameters)
     parameters.push_back(enclosed_constant(text).value());

@@ -39,7 +39,7 @@ double sheen_albedo(double c, double alpha, double most) {
   const double reach = 1 / (4 * most);
   std::vector<double> cuts{0, top, zenith};
   if (c < reach) cuts.push_back(std::asin((reach - c) / (1 - c)));
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   // The narrowest lobes need more nodes.
   const double nodes_per_k = alpha < 0.004 ? 8 : 5;

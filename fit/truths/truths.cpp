@@ -1,5 +1,7 @@
 #include "fit/truths/truths.hpp"
 
+#include <algorithm>
+
 namespace shadefit {
 
 std::span<const Truth> truths() {
@@ -61,10 +63,8 @@ std::span<const Truth> truths() {
 }
 
 const Truth* find_truth(std::string_view name) {
-  for (const Truth& truth : truths()) {
-    if (truth.name == name) return &truth;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(truths(), name, &Truth::name);
+  return found == truths().end() ? nullptr : &*found;
 }
 
 }  // namespace shadefit

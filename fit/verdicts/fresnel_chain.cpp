@@ -1,49 +1,41 @@
 #include "fit/verdicts/fresnel_chain.hpp"
 
-#include <algorithm>
-
-#include "approx/ledger/catalogue.hpp"
-#include "fit/verdicts/published_curve.hpp"
+#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {
 
-Surface surface_of(const OpticalConstants& constants, Surface::Formula formula) {
-  return {formula, constant<double>(constants.ior), constant<double>(constants.extinction)};
-}
-
-FresnelLink link(const OpticalConstants& constants, const FittableFamily& family, std::string_view published,
+/// Of a published curve or of a refit; without a family of Schlick's formula.
+FresnelLink link(const OpticalConstants& constants, const FittableFamily* family, std::string_view published,
                  const std::vector<double>& parameters, Status status) {
-  const Surface exact = surface_of(constants, Surface::Formula::exact);
-  FresnelLink result{
-      &constants, normal_reflectance<double>(exact), &family, published, parameters, status, {}, {}};
+  const double ior = constant<double>(constants.ior), extinction = constant<double>(constants.extinction);
+  const Surface exact = exact_surface(ior, extinction);
+  FresnelLink result{&constants, normal_reflectance<double>(exact), family, published, parameters, status, {},
+                     {}};
   if (status != Status::converged) return result;
-  result.from_schlick =
-      family.reflectance_error(surface_of(constants, Surface::Formula::schlick), parameters);
-  result.from_exact = family.reflectance_error(exact, parameters);
+  if (family == nullptr) {
+    result.from_exact = schlick_against_exact(ior, extinction);
+  } else {
+    result.from_schlick = family->reflectance_error(schlick_surface(ior, extinction), parameters);
+    result.from_exact = family->reflectance_error(exact, parameters);
+  }
   return result;
 }
 
 void append_links(std::vector<FresnelLink>& chain, const OpticalConstants& constants,
                   const std::vector<const FittableFamily*>& families) {
-  const Surface exact = surface_of(constants, Surface::Formula::exact);
-  chain.push_back({&constants,
-                   normal_reflectance<double>(exact),
-                   nullptr,
-                   "",
-                   {},
-                   Status::converged,
-                   {},
-                   schlick_against_exact(exact.ior, exact.extinction)});
+  chain.push_back(link(constants, nullptr, "", {}, Status::converged));
+  const Surface exact =
+      exact_surface(constant<double>(constants.ior), constant<double>(constants.extinction));
   for (const FittableFamily* family : families) {
-    for (const Published& published : published_constants) {
+    for (const Published* number : numbers_of(family->info)) {
       // a curve of several parameters is named by its first
-      if (published.family != family->info.id || published.parameter != family->parameters.front()) continue;
-      chain.push_back(link(constants, *family, published.id, published_parameters(*family, published),
-                           Status::converged));
+      if (number->parameter != family->parameters.front()) continue;
+      chain.push_back(
+          link(constants, family, number->id, published_parameters(*family, *number), Status::converged));
     }
     const Fit fit = family->fit({0, exact}, {});
-    chain.push_back(link(constants, *family, "", fit.parameters, fit.status));
+    chain.push_back(link(constants, family, "", fit.parameters, fit.status));
   }
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "approx/ledger/catalogue.hpp"
+#include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -45,6 +45,40 @@ bool is_meant_for(const Published& published, const Fit& fit) {
 }
 
 }  // namespace
+
+std::vector<const Published*> numbers_of(const Family& family) {
+  std::vector<const Published*> numbers;
+  for (const Published& published : published_constants) {
+    if (published.family == family.id) numbers.push_back(&published);
+  }
+  return numbers;
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const FittableFamily& family,
+                                                                              const Published& published) {
+  std::vector<std::pair<std::string_view, std::string_view>> parameters;
+  for (const std::string_view parameter : family.parameters) {
+    if (parameter == published.parameter) {
+      parameters.emplace_back(parameter, published.printed);
+      continue;
+    }
+    const auto found = std::ranges::find_if(published_constants, [&](const Published& other) {
+      return other.family == published.family && other.parameter == parameter &&
+             other.source.place == published.source.place && other.statement == published.statement &&
+             other.convention.name == published.convention.name;
+    });
+    if (found == published_constants.end()) throw std::logic_error("a published curve lacks a parameter");
+    parameters.emplace_back(parameter, found->printed);
+  }
+  return parameters;
+}
+
+std::vector<double> published_parameters(const FittableFamily& family, const Published& published) {
+  std::vector<double> values;
+  for (const auto& parameter : printed_parameters(family, published))
+    values.push_back(constant<double>(parameter.second));
+  return values;
+}
 
 const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
   const auto key = std::pair(metric, setting);
@@ -98,10 +132,7 @@ std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& pub
       const double low = std::log(exponents[i]), high = std::log(exponents[i + 1]);
       const double at_low = above(low), at_high = above(high);
       if (!(at_low * at_high <= 0)) continue;
-      std::uintmax_t steps = 60;
-      const auto root = boost::math::tools::toms748_solve(
-          above, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), steps);
-      return std::exp((root.first + root.second) / 2);
+      return std::exp(root_between(above, low, high, at_low, at_high, 48));
     }
     return std::nullopt;
   };
@@ -187,7 +218,7 @@ Refit refit(FitCache& fits, std::vector<double> exponents, std::vector<const Pub
     if (number->statement == Statement::best_fit && family.has_exponent())
       exponents.push_back(exponents_of(*number).front());
   }
-  std::sort(exponents.begin(), exponents.end());
+  std::ranges::sort(exponents);
   exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
 
   const std::vector<Setting> settings = family.has_exponent()

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,11 +12,21 @@
 #include "approx/records/record.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/checkpoint.hpp"
-#include "fit/verdicts/published_curve.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 /// Refits a family at its exponents under each measure, and judges the published numbers.
 namespace shadefit {
+
+/// Every number published for the family.
+std::vector<const Published*> numbers_of(const Family& family);
+
+/// The names and digits of the parameters of the published curve that has this number: all that the same
+/// source prints together, in the order of the family's names.
+std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const FittableFamily& family,
+                                                                              const Published& published);
+
+/// The same as numbers.
+std::vector<double> published_parameters(const FittableFamily& family, const Published& published);
 
 /// The exponents for which a number is right that was published without its exponent.
 struct ExponentRange {

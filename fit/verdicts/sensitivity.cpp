@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "approx/scalar.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -83,11 +82,8 @@ std::optional<double> profile_end(const FittedConstants& constants, std::size_t 
   if (has_failed) return std::nullopt;
   if (excess_inside == 0) return value + direction * inside;
   // 30 bits of the step: an end is shown to six digits.
-  std::uintmax_t steps = 60;
-  const auto root = boost::math::tools::toms748_solve(excess, inside, outside, excess_inside, excess_outside,
-                                                      boost::math::tools::eps_tolerance<double>(30), steps);
-  if (has_failed) return std::nullopt;
-  return value + direction * (root.first + root.second) / 2;
+  const double step = root_between(excess, inside, outside, excess_inside, excess_outside, 30);
+  return has_failed ? std::nullopt : std::optional(value + direction * step);
 }
 
 std::vector<Metric> other_contracts(const Metric& own) {
@@ -119,7 +115,7 @@ FittedConstants constants_of(const Fit& fit) {
   const std::vector<Held>& given = fit.metric.constraints.held;
   for (const std::string& name : constants.names)
     constants.is_given.push_back(
-        std::any_of(given.begin(), given.end(), [&](const Held& h) { return h.parameter == name; }));
+        std::ranges::any_of(given, [&](const Held& h) { return h.parameter == name; }));
   const auto objective = [&family, setting, &fit](const std::vector<double>& parameters) {
     return family.objective(setting, fit.metric, parameters);
   };

@@ -1,6 +1,5 @@
 #include "fit/verdicts/study_claims.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>

@@ -1,6 +1,5 @@
 #include "fit/verdicts/study_objectives.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>

@@ -1,9 +1,7 @@
 #include "fit/verdicts/study_sensitivity.hpp"
 
-#include <cmath>
 #include <limits>
 
-#include "approx/scalar.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/user_error.hpp"

@@ -40,7 +40,7 @@ long worst_units_off(const std::vector<std::string>& printed, const std::vector<
 /// values lie between their quartiles; if there are only a few, all lie in their range; a single one might as
 /// well be 0 or twice as large.
 double share_in(std::vector<double> values, double units) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   constexpr std::size_t few = 4;
   const double width = values.size() == 1 ? 2 * std::abs(values.front())
                        : values.size() < few
@@ -67,20 +67,17 @@ double chance_of_one(const std::vector<TriedFit>& trials, const std::vector<std:
 /// The expected number of trials that hold the same constant, or none, and have all printed digits by chance.
 double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vector<std::string>& printed,
                             std::optional<std::size_t> held) {
-  const auto count =
-      std::count_if(trials.begin(), trials.end(), [&](const TriedFit& trial) { return trial.held == held; });
+  const auto count = std::ranges::count(trials, held, &TriedFit::held);
   return static_cast<double>(count) * chance_of_one(trials, printed, held, 0);
 }
 
-bool has_other_densities(const Study& study, const Study& asked) {
-  return !std::equal(study.over.begin(), study.over.end(), asked.over.begin(), asked.over.end(),
-                     [](const StudyRange& a, const StudyRange& b) { return a.density == b.density; });
+/// Whether a part of the ranges of two studies differs: their densities, or an end.
+bool have_other(std::string StudyRange::*part, const Study& study, const Study& asked) {
+  return !std::ranges::equal(study.over, asked.over, {}, part, part);
 }
 
 bool has_other_ranges(const Study& study, const Study& asked) {
-  return !std::equal(
-      study.over.begin(), study.over.end(), asked.over.begin(), asked.over.end(),
-      [](const StudyRange& a, const StudyRange& b) { return a.lower == b.lower && a.upper == b.upper; });
+  return have_other(&StudyRange::lower, study, asked) || have_other(&StudyRange::upper, study, asked);
 }
 
 /// Each objective with each parameter in turn held at its printed value. Objectives that are exact at a place
@@ -92,8 +89,8 @@ std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all
   if (set.values.size() < 2) return objectives;
   for (const StudyObjective& objective : all) {
     const bool is_sampled = objective.study.rows != all.front().study.rows;
-    const bool is_of_two =
-        objective.study.over.size() == 2 && has_other_densities(objective.study, all.front().study);
+    const bool is_of_two = objective.study.over.size() == 2 &&
+                           have_other(&StudyRange::density, objective.study, all.front().study);
     const bool is_on_part = !is_sampled && has_other_ranges(objective.study, all.front().study);
     if (!objective.constraints.exact_at.empty() || is_sampled || is_of_two || is_on_part) continue;
     for (const auto& [parameter, printed] : set.values) {
@@ -125,8 +122,8 @@ bool is_held_nearby(const StudyObjective& held, const std::vector<TriedFit>& tri
                     const std::vector<std::string>& parameters) {
   constexpr double near = 0.1;  // relative
   const Held& added = held.study.held.back();
-  const auto i = std::find(parameters.begin(), parameters.end(), added.parameter) - parameters.begin();
-  return std::any_of(trials.begin(), trials.end(), [&](const TriedFit& trial) {
+  const auto i = std::ranges::find(parameters, added.parameter) - parameters.begin();
+  return std::ranges::any_of(trials, [&](const TriedFit& trial) {
     const double best = trial.values[static_cast<std::size_t>(i)];
     return !trial.held && held.words.starts_with(trial.words + " with ") &&
            std::abs(best - added.value) <= near * std::abs(best);
@@ -137,7 +134,7 @@ bool is_held_nearby(const StudyObjective& held, const std::vector<TriedFit>& tri
 std::optional<std::size_t> held_of(const StudyObjective& objective, const StudyObjective& asked,
                                    const std::vector<std::string>& parameters) {
   if (objective.study.held.size() == asked.study.held.size()) return std::nullopt;
-  const auto found = std::find(parameters.begin(), parameters.end(), objective.study.held.back().parameter);
+  const auto found = std::ranges::find(parameters, objective.study.held.back().parameter);
   return static_cast<std::size_t>(found - parameters.begin());
 }
 
@@ -146,7 +143,7 @@ std::vector<double> all_values(const StudyFit& fit, const StudyObjective& object
                                const std::vector<std::string>& parameters) {
   std::vector<double> values;
   for (const std::string& name : parameters) {
-    const auto found = std::find(fit.names.begin(), fit.names.end(), name);
+    const auto found = std::ranges::find(fit.names, name);
     if (found != fit.names.end()) {
       values.push_back(fit.parameters[static_cast<std::size_t>(found - fit.names.begin())]);
       continue;
@@ -163,9 +160,8 @@ std::vector<double> all_values(const StudyFit& fit, const StudyObjective& object
 std::vector<Held> starts_at(const PublishedSet& set, const std::vector<Held>& held) {
   std::vector<Held> starts;
   for (const auto& value : set.values) {
-    const bool is_held =
-        std::any_of(held.begin(), held.end(), [&](const Held& one) { return one.parameter == value.first; });
-    if (!is_held) starts.push_back({value.first, constant<double>(value.second)});
+    if (std::ranges::find(held, value.first, &Held::parameter) == held.end())
+      starts.push_back({value.first, constant<double>(value.second)});
   }
   return starts;
 }
@@ -180,8 +176,7 @@ std::vector<Held> published_starts(const StudyFile& file, const std::string& for
 std::vector<std::string> values_of(const PublishedSet& set, const std::vector<std::string>& parameters) {
   std::vector<std::string> values;
   for (const std::string& name : parameters) {
-    const auto found = std::find_if(set.values.begin(), set.values.end(),
-                                    [&](const auto& value) { return value.first == name; });
+    const auto found = std::ranges::find(set.values, name, [](const auto& value) { return value.first; });
     if (found == set.values.end())
       throw UserError("published values of '" + set.form + "' lack the parameter '" + name + "'");
     if (!parse_number(found->second))
@@ -189,7 +184,7 @@ std::vector<std::string> values_of(const PublishedSet& set, const std::vector<st
     values.push_back(found->second);
   }
   for (const auto& [name, value] : set.values) {
-    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end())
+    if (std::ranges::find(parameters, name) == parameters.end())
       throw UserError("published value '" + name + "' is not a parameter of the form '" + set.form + "'");
   }
   return values;
@@ -258,7 +253,7 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
     return found;
   };
   if (is_asked) return judgement(off.front() == 0 ? Verdict::confirmed : Verdict::rounding, 0);
-  const auto nearest = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
+  const auto nearest = static_cast<std::size_t>(std::ranges::min_element(off) - off.begin());
   if (off[nearest] != 0) return judgement(Verdict::refuted, nearest);
   // Of the fits that have all digits, the first of those with the least chance.
   std::size_t best = nearest;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/better/prove_properties.hpp"
+#include "fit/better/prove_contenders.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"

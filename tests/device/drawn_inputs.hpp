@@ -10,7 +10,7 @@
 
 #include "bench/device/form_bound.hpp"
 #include "bench/forms/catalogue.hpp"
-#include "fit/stress/sequence.hpp"
+#include "fit/stress/numbers.hpp"
 
 /// Arguments of forms, drawn in boxes, so that a bound of a box holds for all of its arguments.
 namespace shadefit::device {

@@ -1,5 +1,3 @@
-#include "fit/ledger/colour/colour_chart.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/colour/transfer_function.hpp"
-#include "fit/ledger/list.hpp"
+#include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 
@@ -25,33 +22,29 @@ std::vector<TransferFunction> conventions_of(const Claim& claim) {
   return conventions;
 }
 
-/// "0.0212 under sRGB, 0.017 under gamma 2.2", of a value that every convention gives.
-template <class Value>
-std::string under_each(const std::vector<TransferFunction>& conventions, const Value& value, int digits) {
-  std::vector<std::string> parts;
+/// The conversion of a code or of a linear value under each convention.
+std::vector<Alternative> under_each(const std::vector<TransferFunction>& conventions,
+                                    double (TransferFunction::*conversion)(double) const, double value) {
+  std::vector<Alternative> all;
   for (const TransferFunction& convention : conventions)
-    parts.push_back(fmt::format("{} under {}", decimal(value(convention), digits), convention.name));
+    all.push_back({convention.name, (convention.*conversion)(value)});
+  return all;
+}
+
+/// "0.0212 under sRGB, 0.017 under gamma 2.2".
+std::string in_words(const std::vector<Alternative>& values) {
+  std::vector<std::string> parts;
+  for (const auto& [convention, value] : values)
+    parts.push_back(fmt::format("{} under {}", decimal(value, 4), convention));
   return enumerated(parts);
 }
 
 std::string linear_under_each(const std::vector<TransferFunction>& conventions, double code) {
-  return under_each(
-      conventions, [&](const TransferFunction& t) { return t.linear(code); }, 4);
+  return in_words(under_each(conventions, &TransferFunction::linear, code));
 }
 
 std::string code_under_each(const std::vector<TransferFunction>& conventions, double linear) {
-  return under_each(
-      conventions, [&](const TransferFunction& t) { return t.code(linear); }, 4);
-}
-
-/// `printed` against a value that every convention gives, the first of them first.
-template <class Value>
-Judgement judge_under(const std::vector<TransferFunction>& conventions, std::string_view printed,
-                      const Value& value) {
-  std::vector<Alternative> alternatives;
-  for (const TransferFunction& convention : conventions)
-    alternatives.push_back({convention.name, value(convention)});
-  return judge(printed, alternatives.front(), std::span(alternatives).subspan(1));
+  return in_words(under_each(conventions, &TransferFunction::code, linear));
 }
 
 /// The effect of replacing one linear value by another, at a code.
@@ -81,33 +74,20 @@ std::string exponents_sentence(const Range& range) {
                      range.to);
 }
 
-/// The names of the conventions under which all printed digits are right.
-std::string conventions_that_give_all(const std::vector<TransferFunction>& conventions, const Claim& claim,
-                                      const std::vector<double>& codes) {
-  std::vector<std::string> names;
-  for (const TransferFunction& convention : conventions) {
-    bool gives_all = true;
-    for (std::size_t i = 0; i < codes.size(); ++i)
-      gives_all = gives_all && units_off(claim.printed[i].value, convention.linear(codes[i])) == 0;
-    if (gives_all) names.push_back(convention.name);
-  }
-  return names.empty() ? "no convention of these" : enumerated(names);
-}
-
-}  // namespace
-
+/// Two printed linear values against the codes "from code" and "to code".
 Finding chart_range(const Claim& claim) {
   const auto conventions = conventions_of(claim);
   const std::vector<double> codes{given(claim, "from code"), given(claim, "to code")};
-  // Both numbers under one convention: the first that gives all digits, else the first of all.
-  const auto gives_all = [&](const TransferFunction& convention) {
-    bool all = true;
-    for (std::size_t i = 0; i < codes.size(); ++i)
-      all = all && units_off(claim.printed[i].value, convention.linear(codes[i])) == 0;
-    return all;
-  };
-  const auto found = std::find_if(conventions.begin(), conventions.end(), gives_all);
-  const TransferFunction& convention = found == conventions.end() ? conventions.front() : *found;
+  // The conventions under which all digits of both numbers are right.
+  std::vector<TransferFunction> right;
+  std::vector<std::string> names;
+  for (const TransferFunction& t : conventions) {
+    if (units_off(claim.printed[0].value, t.linear(codes[0])) != 0) continue;
+    if (units_off(claim.printed[1].value, t.linear(codes[1])) != 0) continue;
+    right.push_back(t);
+    names.push_back(t.name);
+  }
+  const TransferFunction& convention = right.empty() ? conventions.front() : right.front();
   std::vector<Verdict> verdicts;
   std::vector<std::string> values, computed, effects;
   Range exponents{0, std::numeric_limits<double>::infinity()};
@@ -120,25 +100,25 @@ Finding chart_range(const Claim& claim) {
     exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
     effects.push_back(effect_of_linear(number_of(printed), conventions.front().linear(codes[i]), codes[i]));
   }
-  const bool is_other = found != conventions.end() && found != conventions.begin();
+  const bool is_other = convention.name != conventions.front().name;
   return {is_other ? Verdict::other_objective : worst(verdicts),
           fmt::format("{}, {} under {}", computed[0], computed[1], convention.name),
           sentences({values[0], values[1],
                      fmt::format("both printed numbers have all their digits under {}",
-                                 conventions_that_give_all(conventions, claim, codes)),
+                                 names.empty() ? "no convention of these" : enumerated(names)),
                      exponents_sentence(exponents)}),
           sentences(effects)};
 }
 
+/// Two printed linear values that should both be the decoded "code".
 Finding chart_range_given_twice(const Claim& claim) {
   const auto conventions = conventions_of(claim);
   const std::string_view printed_first = claim.printed[0].value, printed_second = claim.printed[1].value;
   const double first = number_of(printed_first), second = number_of(printed_second);
   const double code = given(claim, "code");
-  const auto closer_to_first =
-      std::count_if(conventions.begin(), conventions.end(), [&](const TransferFunction& t) {
-        return std::abs(t.linear(code) - first) < std::abs(t.linear(code) - second);
-      });
+  const auto closer_to_first = std::ranges::count_if(conventions, [&](const TransferFunction& t) {
+    return std::abs(t.linear(code) - first) < std::abs(t.linear(code) - second);
+  });
   return {
       judge(printed_second, {std::string(printed_first), first}, {}).verdict,
       fmt::format("{:.7g} under {}", conventions.front().linear(code), conventions.front().name),
@@ -151,8 +131,6 @@ Finding chart_range_given_twice(const Claim& claim) {
           code_under_each(conventions, second)),
       effect_of_linear(second, first, code)};
 }
-
-namespace {
 
 /// Whether the common values are within the decoded codes: under the first convention, under another, or in
 /// part.
@@ -188,12 +166,11 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
               "{:.6g} to {:.6g} are {}. They overlap under {} of {} conventions",
               material, common.at(0), common.at(1), stored.code(common.at(0)), stored.code(common.at(1)),
               stored.name, codes.at(0), codes.at(1), enumerated(ranges),
-              std::count_if(conventions.begin(), conventions.end(), overlaps), conventions.size()),
+              std::ranges::count_if(conventions, overlaps), conventions.size()),
           sentence(effect, "a linear value", fmt::format("keeping {} within the chart", material))};
 }
 
-}  // namespace
-
+/// Whether the ranges of common dielectrics and of common metals are within the range of the chart's codes.
 Finding chart_holds_common_materials(const Claim& claim) {
   const auto conventions = conventions_of(claim);
   const auto part = [&](std::string_view material, std::string_view codes, std::string_view common) {
@@ -207,6 +184,7 @@ Finding chart_holds_common_materials(const Claim& claim) {
           sentences({dielectrics.evidence, metals.evidence}), sentences({dielectrics.effect, metals.effect})};
 }
 
+/// A printed code against the encoding of "linear".
 Finding middle_grey(const Claim& claim) {
   const auto conventions = conventions_of(claim);
   const double linear = given(claim, "linear");
@@ -214,18 +192,30 @@ Finding middle_grey(const Claim& claim) {
   const double photographic = given(claim, "photographic grey");
   const std::string_view printed = claim.printed[0].value;
   const TransferFunction& stored = conventions.front();
-  const auto judged =
-      judge_under(conventions, printed, [&](const TransferFunction& t) { return t.code(linear); });
+  const auto codes = under_each(conventions, &TransferFunction::code, linear);
+  const Judgement judged = judge(printed, codes.front(), std::span(codes).subspan(1));
   const double exact = stored.code(linear);
   return {judged.verdict, decimal(judged.value, 6),
           fmt::format(
               "{:.4g} of the light of white is code {}. The first of these rounds to {:.6g} and truncates to "
               "{:.6g}. Code {} is {:.4g} of the light of white and code {:.6g} is {:.4g}, under {}. The grey "
               "card's {:.4g} is code {:.4g}",
-              linear, code_under_each(conventions, linear), std::round(exact), std::floor(exact), printed,
+              linear, in_words(codes), std::round(exact), std::floor(exact), printed,
               stored.linear(number_of(printed)), naive, stored.linear(naive), stored.name, photographic,
               stored.code(photographic)),
           effect_of_linear(stored.linear(number_of(printed)), linear, number_of(printed))};
+}
+
+}  // namespace
+
+/// Codes of a colour chart and the linear values that are printed for them. Every record has a "convention"
+/// for decoding codes, and "other conventions" (fit/ledger/colour/transfer_function.hpp).
+std::vector<Evaluator> colour_chart_evaluators() {
+  return {{"chart-dielectric", chart_range},
+          {"chart-metal", chart_range},
+          {"chart-range-typo", chart_range_given_twice},
+          {"chart-overlap", chart_holds_common_materials},
+          {"middle-grey", middle_grey}};
 }
 
 }  // namespace shadefit

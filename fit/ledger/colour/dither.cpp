@@ -1,6 +1,5 @@
 #include "approx/dither.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,7 +9,6 @@
 
 #include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/list.hpp"
 #include "fit/ledger/lobes/march.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
@@ -223,10 +221,8 @@ Finding bilateral_epsilon(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> dither_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"bayer-4x4", bayer}, Evaluator{"march-steps", march_steps},
-                                         Evaluator{"bilateral-epsilon", bilateral_epsilon}};
-  return evaluators;
+std::vector<Evaluator> dither_evaluators() {
+  return {{"bayer-4x4", bayer}, {"march-steps", march_steps}, {"bilateral-epsilon", bilateral_epsilon}};
 }
 
 }  // namespace shadefit

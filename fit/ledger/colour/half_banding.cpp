@@ -1,5 +1,3 @@
-#include "fit/ledger/colour/half_banding.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "fit/errors/banding.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/formats.hpp"
+#include "fit/ledger/topics.hpp"
 #include "fit/scalars/half_result.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -176,9 +175,9 @@ double step_of_remedy(double power, int samples) {
       .step;
 }
 
-}  // namespace
-
-Finding evaluate_half_banding(const Claim& claim) {
+/// Judges the claim that in half a highlight of the printed power bands and one of the low power does not, by
+/// pow and by the spherical Gaussian, with the cosine in half and in float.
+Finding half_banding(const Claim& claim) {
   const BandingCase half = banding_case(claim, true), wide = banding_case(claim, false);
   const std::size_t forms = half.forms + wide.forms;
   const std::array parts{verdict_of_cases(half.bands + wide.bands, forms),
@@ -203,6 +202,12 @@ Finding evaluate_half_banding(const Claim& claim) {
       sentences({sentence(half.effect, "a smooth highlight of peak 1",
                           fmt::format("at power {} rounding with the cosine in half", exponent)),
                  sentence(wide.effect, "it", "with the cosine in float it")})};
+}
+
+}  // namespace
+
+std::vector<Evaluator> half_banding_evaluators() {
+  return {{"half-banding", half_banding}};
 }
 
 }  // namespace shadefit

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "approx/encoding.hpp"
-#include "fit/ledger/list.hpp"
+#include "fit/ledger/finding.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {

@@ -11,9 +11,7 @@
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/colour/half_banding.hpp"
 #include "fit/ledger/formats.hpp"
-#include "fit/ledger/list.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
@@ -107,8 +105,8 @@ std::string exponents_that(const std::vector<std::string>& exponents, const std:
   std::vector<std::string> found;
   for (const std::string& b : exponents) {
     std::vector<std::string> where;
-    std::copy_if(formats.begin(), formats.end(), std::back_inserter(where),
-                 [&](const std::string& format) { return is_so(power_of_zero(format, b)); });
+    std::ranges::copy_if(formats, std::back_inserter(where),
+                         [&](const std::string& format) { return is_so(power_of_zero(format, b)); });
     cases += where.size();
     if (where.empty()) continue;
     found.push_back(b +
@@ -208,11 +206,8 @@ Finding nan_at_zero(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> arithmetic_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"sg-nonzero-at-zero", gaussian_at_zero},
-                                         Evaluator{"pow-nan-at-zero", nan_at_zero},
-                                         Evaluator{"half-banding", evaluate_half_banding}};
-  return evaluators;
+std::vector<Evaluator> arithmetic_evaluators() {
+  return {{"sg-nonzero-at-zero", gaussian_at_zero}, {"pow-nan-at-zero", nan_at_zero}};
 }
 
 }  // namespace shadefit

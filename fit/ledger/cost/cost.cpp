@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/list.hpp"
 #include "fit/ledger/lobes/shader_forms.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/symbolic.hpp"
@@ -33,8 +32,7 @@ Operations instructions_of(std::string_view text) {
       Named{"DOT3", &Operations::dot3},    Named{"DOT4", &Operations::dot4}};
   Operations found;
   for (const std::string& word : items_of(text, ' ')) {
-    const auto named =
-        std::find_if(known.begin(), known.end(), [&](const Named& k) { return k.name == word; });
+    const auto named = std::ranges::find(known, word, &Named::name);
     if (named == known.end()) throw std::invalid_argument(fmt::format("no instruction '{}'", word));
     ++(found.*(named->count));
   }
@@ -97,21 +95,20 @@ std::string effect_of_count(double printed, int counted_total) {
 /// "none".
 struct Parts {
   std::vector<Verdict> verdicts;
-  std::vector<std::string> computed;
-  std::string evidence, effect;
+  std::vector<std::string> computed, effects;
+  std::string evidence;
 
   void add(Verdict verdict, const std::string& value, const std::string& sentence,
            const std::string& what = "") {
     verdicts.push_back(verdict);
     computed.push_back(value);
     evidence = sentences({evidence, sentence});
-    if (!what.empty()) effect += (effect.empty() ? "" : "; ") + what;
+    if (!what.empty()) effects.push_back(what);
   }
   Finding finding(const std::string& context) const {
-    std::string values;
-    for (const std::string& value : computed) values += (values.empty() ? "" : "; ") + value;
-    return {worst(verdicts), values, evidence + context,
-            effect.empty() ? "none" : none_because(fmt::format("no value changes; {}", effect))};
+    return {worst(verdicts), fmt::format("{}", fmt::join(computed, "; ")), evidence + context,
+            effects.empty() ? "none"
+                            : none_because(fmt::format("no value changes; {}", fmt::join(effects, "; ")))};
   }
 };
 
@@ -191,11 +188,11 @@ Finding power_four_cost(const Claim& claim) {
                         conventions_text(printed, conventions)));
   parts.add(verdict_of(printed_squaring.is(squaring)), with_total(squaring),
             fmt::format("{} by squaring is {}", text_of_form(squared), with_total(squaring)));
-  parts.effect = fmt::format(
+  parts.effects.push_back(fmt::format(
       "with the subtraction counted on both sides, the count is {} with the free scale and {} by squaring. The "
       "free scale saves {}; the source says {}",
       scaled.total(), squaring.total(), counted(squaring.total() - scaled.total(), "instruction"),
-      counted(std::lround(printed_squaring.total - printed.total), "instruction"));
+      counted(std::lround(printed_squaring.total - printed.total), "instruction")));
   return parts.finding("");
 }
 
@@ -247,16 +244,15 @@ Finding saved_cost(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> cost_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"cost-pow", count_forms},
-                                         Evaluator{"cost-sg", count_forms},
-                                         Evaluator{"cost-gloss-decode", count_forms},
-                                         Evaluator{"cost-saved", saved_cost},
-                                         Evaluator{"cost-power-four", power_four_cost},
-                                         Evaluator{"cost-phong-per-light", light_cost},
-                                         Evaluator{"cost-fresnel", count_forms},
-                                         Evaluator{"cost-mip", mip_level_cost}};
-  return evaluators;
+std::vector<Evaluator> cost_evaluators() {
+  return {{"cost-pow", count_forms},
+          {"cost-sg", count_forms},
+          {"cost-gloss-decode", count_forms},
+          {"cost-saved", saved_cost},
+          {"cost-power-four", power_four_cost},
+          {"cost-phong-per-light", light_cost},
+          {"cost-fresnel", count_forms},
+          {"cost-mip", mip_level_cost}};
 }
 
 }  // namespace shadefit

@@ -1,13 +1,10 @@
 #include "approx/environment_map.hpp"
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "fit/ledger/light/agreement.hpp"
-#include "fit/ledger/light/gloss_chain.hpp"
-#include "fit/ledger/light/solid_angle.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -41,9 +38,9 @@ Finding evaluate_lambert(const Claim& claim) {
           "{}. The lobe of power "
           "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
           "integral, its peak is {:.3g} times as bright",
-          lobe_solid_angle(found), found, counted(static_cast<long>(widths.size()), "width"), widths.front(),
-          widths.back(), within(apart, claim.inputs.at("tolerance")), printed, lobe_solid_angle(printed),
-          beyond, lobe_solid_angle(printed) / lobe_solid_angle(found)),
+          lobe_solid_angle(found), found, counted(std::ssize(widths), "width"), widths.front(), widths.back(),
+          within(apart, claim.inputs.at("tolerance")), printed, lobe_solid_angle(printed), beyond,
+          lobe_solid_angle(printed) / lobe_solid_angle(found)),
       gap <= tolerance
           ? "none"
           : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
@@ -84,9 +81,9 @@ Finding evaluate_mean_power(const Claim& claim) {
                   enumerated(words), s, lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0),
                   mip_level_of_power(width, s));
   if (closest.verdict == Verdict::other_objective)
-    evidence += fmt::format(". Among these {} the first {} are those of {}",
-                            counted(static_cast<long>(readings.size()), "reading"),
-                            counted(static_cast<long>(digits), "printed digit"), closest.objective);
+    evidence +=
+        fmt::format(". Among these {} the first {} are those of {}", counted(std::ssize(readings), "reading"),
+                    counted(static_cast<long>(digits), "printed digit"), closest.objective);
   const double covering = readings.front().value * unit;
   return {
       closest.verdict, fmt::format("power = {:.6g}", closest.value * unit), evidence,
@@ -124,19 +121,10 @@ Finding evaluate_power_range(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> environment_map_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"cap-solid-angle", evaluate_cap},
-                                         Evaluator{"lobe-solid-angle", evaluate_lobe},
-                                         Evaluator{"texel-solid-angle", evaluate_texel},
-                                         Evaluator{"mip-level", evaluate_mip_level},
-                                         Evaluator{"mip-lambert", evaluate_lambert},
-                                         Evaluator{"mip-mean-power", evaluate_mean_power},
-                                         Evaluator{"mip-gloss-chain", evaluate_gloss_chain},
-                                         Evaluator{"mip-sphere-powers", evaluate_sphere_powers},
-                                         Evaluator{"mip-power-drop", evaluate_power_drop},
-                                         Evaluator{"mip-select", evaluate_mip_select},
-                                         Evaluator{"power-range", evaluate_power_range}};
-  return evaluators;
+std::vector<Evaluator> environment_map_evaluators() {
+  return {{"mip-lambert", evaluate_lambert},
+          {"mip-mean-power", evaluate_mean_power},
+          {"power-range", evaluate_power_range}};
 }
 
 }  // namespace shadefit

@@ -102,8 +102,7 @@ std::string effect_on_normalisation(const Claim& claim, double factor, double co
     return std::abs(printed(exponent) / game_normalisation(exponent) - 1);
   };
   const auto all = powers(claim);
-  const double worst =
-      *std::max_element(all.begin(), all.end(), [&](double a, double b) { return off(a) < off(b); });
+  const double worst = *std::ranges::max_element(all, {}, off);
   return effect_of_factor(
       printed(worst), game_normalisation(worst),
       fmt::format("the error of the normalisation is largest at the power {:.5g}: there the normalisation",
@@ -262,13 +261,11 @@ Finding log2_second(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> gloss_evaluators() {
-  static constexpr std::array evaluators{
-      Evaluator{"gloss-log2-constant", log2_constant},   Evaluator{"gloss-ln2-over-8", ln2_over_eight},
-      Evaluator{"gloss-decode", gloss_decode},           Evaluator{"exp2-identity", exp2_identity},
-      Evaluator{"gloss-normalised-mad", normalised_mad}, Evaluator{"log2-identity-first", log2_first},
-      Evaluator{"log2-identity-second", log2_second}};
-  return evaluators;
+std::vector<Evaluator> gloss_evaluators() {
+  return {{"gloss-log2-constant", log2_constant},   {"gloss-ln2-over-8", ln2_over_eight},
+          {"gloss-decode", gloss_decode},           {"exp2-identity", exp2_identity},
+          {"gloss-normalised-mad", normalised_mad}, {"log2-identity-first", log2_first},
+          {"log2-identity-second", log2_second}};
 }
 
 }  // namespace shadefit

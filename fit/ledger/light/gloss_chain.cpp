@@ -1,5 +1,3 @@
-#include "fit/ledger/light/gloss_chain.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -8,6 +6,7 @@
 
 #include "approx/environment_map.hpp"
 #include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 
@@ -16,13 +15,7 @@ namespace {
 
 /// The powers of a chain, the finest level first.
 std::string series(const std::vector<double>& powers) {
-  std::string out;
-  for (const double s : powers) out += fmt::format("{}{:.6g}", out.empty() ? "" : " ", s);
-  return out;
-}
-
-std::string number(long count) {
-  return std::to_string(count);
+  return fmt::format("{:.6g}", fmt::join(powers, " "));
 }
 
 /// The places where a computed series agrees with the printed one. A place that only one of them has counts
@@ -87,7 +80,7 @@ struct Selection {
 /// Whether more codes agree than the two ends of the gloss. The ends agree for any count: the first level has
 /// g = 1, the last has g = 0.
 bool has_more_than_the_ends(const std::vector<int>& codes, int last_code) {
-  return std::any_of(codes.begin(), codes.end(), [&](int code) { return code != 0 && code != last_code; });
+  return std::ranges::any_of(codes, [&](int code) { return code != 0 && code != last_code; });
 }
 
 /// `count`: the shader's factor of 1 - g.
@@ -126,8 +119,6 @@ std::string runs_of(const std::vector<int>& codes) {
   return runs.empty() ? "none" : enumerated(runs);
 }
 
-}  // namespace
-
 Finding evaluate_gloss_chain(const Claim& claim) {
   const double ratio = given(claim, "width") / given(claim, "last width");
   const int levels = static_cast<int>(std::lround(std::log2(ratio))) + 1;
@@ -141,13 +132,13 @@ Finding evaluate_gloss_chain(const Claim& claim) {
                           : formula.wrong == 0 ? Verdict::conditional
                                                : Verdict::refuted;
   const std::string of_loop = loop.wrong == 0 ? "" : fmt::format("; by the loop {}", series(by_loop));
-  return {verdict, series(by_formula) + of_loop,
-          fmt::format(
-              "with a floating-point division the {} are made for {}: {} of the {} printed. The loop as "
-              "printed divides integers and makes them for {}: {} of the printed ones",
-              counted(levels, "level"), series(by_formula), number(formula.right),
-              counted(static_cast<long>(claim.printed.size()), "power"), series(by_loop), number(loop.right)),
-          effect_of(loop, "the loop as printed")};
+  return {
+      verdict, series(by_formula) + of_loop,
+      fmt::format("with a floating-point division the {} are made for {}: {} of the {} printed. The loop as "
+                  "printed divides integers and makes them for {}: {} of the printed ones",
+                  counted(levels, "level"), series(by_formula), formula.right,
+                  counted(std::ssize(claim.printed), "power"), series(by_loop), loop.right),
+      effect_of(loop, "the loop as printed")};
 }
 
 Finding evaluate_sphere_powers(const Claim& claim) {
@@ -158,7 +149,7 @@ Finding evaluate_sphere_powers(const Claim& claim) {
           fmt::format(
               "{} with glosses from 1 to 0 in steps of {:.6g} have the powers {}: {} as printed, {} wrong",
               counted(spheres, "sphere"), 1.0 / (spheres - 1), series(powers), counted(places.right, "power"),
-              number(places.wrong)),
+              places.wrong),
           effect_of(places, "the series")};
 }
 
@@ -188,7 +179,7 @@ Finding evaluate_mip_select(const Claim& claim) {
   const double levels = given(claim, "levels");
   const long codes = 1L << static_cast<int>(given(claim, "gloss bits"));
   const Selection printed = select_levels(claim, levels), inverse = select_levels(claim, levels - 1);
-  const auto all = [&](const Selection& s) { return static_cast<long>(s.found.size()) == codes; };
+  const auto all = [&](const Selection& s) { return std::ssize(s.found) == codes; };
   const Verdict verdict = all(printed) ? Verdict::confirmed
                           : has_more_than_the_ends(printed.found, static_cast<int>(codes) - 1)
                               ? Verdict::conditional
@@ -204,13 +195,23 @@ Finding evaluate_mip_select(const Claim& claim) {
           counted(codes, "gloss code"),
           steps == "1" ? "one code's step" : fmt::format("{} of a code's step", steps),
           runs_of(printed.found), printed.worst_code, found, printed.wanted, printed.worst_ratio, levels - 1,
-          counted(static_cast<long>(inverse.found.size()), "code"),
+          counted(std::ssize(inverse.found), "code"),
           lobe_solid_angle(found) / lobe_solid_angle(printed.wanted)),
       verdict == Verdict::confirmed
           ? "none"
           : effect_of_power(
                 printed.wanted, found,
                 fmt::format("the lobe of power {:.4g} instead of {:.4g}", found, printed.wanted))};
+}
+
+}  // namespace
+
+/// The claims on prefiltered chains: the powers for which their levels are made, and the level that is read.
+std::vector<Evaluator> gloss_chain_evaluators() {
+  return {{"mip-gloss-chain", evaluate_gloss_chain},
+          {"mip-sphere-powers", evaluate_sphere_powers},
+          {"mip-power-drop", evaluate_power_drop},
+          {"mip-select", evaluate_mip_select}};
 }
 
 }  // namespace shadefit

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -243,11 +242,9 @@ Finding evaluate_loss(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> harmonics_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"sh-basis", evaluate_basis},
-                                         Evaluator{"sh-buffer-memory", evaluate_memory},
-                                         Evaluator{"sh-linear-loss", evaluate_loss}};
-  return evaluators;
+std::vector<Evaluator> harmonics_evaluators() {
+  return {
+      {"sh-basis", evaluate_basis}, {"sh-buffer-memory", evaluate_memory}, {"sh-linear-loss", evaluate_loss}};
 }
 
 }  // namespace shadefit

@@ -1,8 +1,5 @@
-#include "fit/ledger/light/solid_angle.hpp"
-
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "approx/environment_map.hpp"
@@ -10,10 +7,11 @@
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/topics.hpp"
 #include "fit/quadrature/substitution.hpp"
-#include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -107,15 +105,10 @@ std::string effect_of_texel(double mean, double ratio, const std::string& where)
 /// The level at which a mean texel covers the lobe's solid angle, by bisection: the edge of a texel doubles
 /// with each level.
 double solved_level(double width, double exponent) {
-  double low = -64, high = 64;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (mean_texel_solid_angle(width, middle) < lobe_solid_angle(exponent) ? low : high) = middle;
-  }
-  return low;
+  return last_by_halving(-64, 64, 60, [&](double level) {
+    return mean_texel_solid_angle(width, level) < lobe_solid_angle(exponent);
+  });
 }
-
-}  // namespace
 
 Finding evaluate_cap(const Claim& claim) {
   const std::vector<double> degrees = parse_sweep(claim.inputs.at("half-angles in degrees"));
@@ -130,8 +123,8 @@ Finding evaluate_cap(const Claim& claim) {
       agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
       fmt::format(
           "two rules agree with the form {}, relative, at {} {} degrees. The last one covers {:.10g} sr. {}",
-          within(agreement.gap, tolerance), counted(static_cast<long>(degrees.size()), "half-angle"),
-          from_to(degrees), cap_solid_angle(degrees.back() * degree), lost_caps()),
+          within(agreement.gap, tolerance), counted(std::ssize(degrees), "half-angle"), from_to(degrees),
+          cap_solid_angle(degrees.back() * degree), lost_caps()),
       effect_of_cap()};
 }
 
@@ -144,8 +137,8 @@ Finding evaluate_lobe(const Claim& claim) {
           fmt::format(
               "two rules agree with the form {}, relative, at {} {}. At the ends the lobe covers {:.10g} and "
               "{:.10g} sr",
-              within(agreement.gap, tolerance), counted(static_cast<long>(exponents.size()), "power"),
-              from_to(exponents), lobe_solid_angle(exponents.front()), lobe_solid_angle(exponents.back()))};
+              within(agreement.gap, tolerance), counted(std::ssize(exponents), "power"), from_to(exponents),
+              lobe_solid_angle(exponents.front()), lobe_solid_angle(exponents.back()))};
 }
 
 Finding evaluate_texel(const Claim& claim) {
@@ -222,16 +215,25 @@ Finding evaluate_mip_level(const Claim& claim) {
           "gives these "
           "constants {} and agrees with the formula {}. At w = {:.6g} level 0 belongs to s = {:.10g} and "
           "the last level, {:.3g}, to s = {:.6g}",
-          counted(static_cast<long>(exponents.size()), "power"), from_to(exponents),
-          counted(static_cast<long>(widths.size()), "width"), from_to(widths),
-          within(std::max(root_gap, factor_gap), tolerance), within(formula_gap, tolerance), width,
-          power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), std::log2(width),
+          counted(std::ssize(exponents), "power"), from_to(exponents), counted(std::ssize(widths), "width"),
+          from_to(widths), within(std::max(root_gap, factor_gap), tolerance), within(formula_gap, tolerance),
+          width, power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), std::log2(width),
           power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width)))),
       // a level doubles the texel's edge: four times the solid angle
       holds
           ? "none"
           : effect_of_power(shifted, shifted * std::exp2(-2 * shift),
                             fmt::format("a level off by {:.3g} at power {:.6g}", std::abs(shift), shifted))};
+}
+
+}  // namespace
+
+/// The claims on solid angles of caps, lobes and texels, and the mip level that follows from them.
+std::vector<Evaluator> solid_angle_evaluators() {
+  return {{"cap-solid-angle", evaluate_cap},
+          {"lobe-solid-angle", evaluate_lobe},
+          {"texel-solid-angle", evaluate_texel},
+          {"mip-level", evaluate_mip_level}};
 }
 
 }  // namespace shadefit

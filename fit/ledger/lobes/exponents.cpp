@@ -1,12 +1,11 @@
 #include "fit/ledger/lobes/exponents.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 
@@ -27,12 +26,9 @@ std::vector<ExponentInterval> where_not_negative(const std::function<double(doub
     const double right = *next, at_right = margin(right);
     const bool was = at_left >= 0, is = at_right >= 0;
     if (was != is) {
-      // 34 bits: ten digits, more than are printed. Eight steps are usual, fifty the limit.
-      std::uintmax_t steps = 50;
-      const auto root =
-          boost::math::tools::toms748_solve(at_log, std::log(left), std::log(right), at_left, at_right,
-                                            boost::math::tools::eps_tolerance<double>(34), steps);
-      const double crossing = std::exp((root.first + root.second) / 2);
+      // 34 bits: ten digits, more than are printed.
+      const double crossing =
+          std::exp(root_between(at_log, std::log(left), std::log(right), at_left, at_right, 34));
       if (is) {
         intervals.push_back({crossing, right});
       } else {
@@ -48,7 +44,7 @@ std::vector<ExponentInterval> where_not_negative(const std::function<double(doub
 }
 
 bool covers(const std::vector<ExponentInterval>& intervals, double from, double to) {
-  return std::any_of(intervals.begin(), intervals.end(), [&](const ExponentInterval& interval) {
+  return std::ranges::any_of(intervals, [&](const ExponentInterval& interval) {
     return interval.from <= from && to <= interval.to;
   });
 }

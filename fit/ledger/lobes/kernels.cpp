@@ -1,10 +1,10 @@
 #include "approx/kernels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "fit/errors/effect.hpp"
-#include "fit/errors/extremum.hpp"
 #include "fit/ledger/lobes/lobe_rule.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/symbolic.hpp"
@@ -49,9 +48,7 @@ std::vector<double> heat_weights(double t) {
 }
 
 double sum_of(const std::vector<double>& terms) {
-  double sum = 0;
-  for (auto i = terms.rbegin(); i != terms.rend(); ++i) sum += *i;  // the small ones first
-  return sum;
+  return std::accumulate(terms.rbegin(), terms.rend(), 0.0);  // the small ones first
 }
 
 /// Of the heat kernel's width: near the peak it is exp(-theta^2/(4t)), the lobe exp(-k theta^2/2).
@@ -169,7 +166,7 @@ std::vector<LobeCandidate> candidates(const LobeRule& rule, std::string_view nam
 constexpr double agreement_of_rules = 1e-6;
 
 bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
-  return std::all_of(all.begin(), all.end(), [&](const LobeCandidate& c) {
+  return std::ranges::all_of(all, [&](const LobeCandidate& c) {
     const double other = rule.square_by_other_rule(
         [&](const LobeAngle& direction) { return c.kernel(direction, c.parameter); });
     return std::abs(other - c.square()) <= agreement_of_rules * other;
@@ -185,7 +182,7 @@ struct KernelContest {
   const LobeCandidate& winner_among(const TakesPart& takes_part) const {
     double least = std::numeric_limits<double>::infinity();
     for (const LobeCandidate& c : candidates) least = takes_part(c) ? std::min(least, c.square()) : least;
-    return *std::find_if(candidates.begin(), candidates.end(), [&](const LobeCandidate& c) {
+    return *std::ranges::find_if(candidates, [&](const LobeCandidate& c) {
       return takes_part(c) && c.square() <= least * (1 + agreement_of_rules);
     });
   }
@@ -194,8 +191,7 @@ struct KernelContest {
   }
   /// That kernel with its best parameter, or null if it does not take part.
   const LobeCandidate* find(std::string_view name) const {
-    const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [&](const LobeCandidate& c) { return c.name == name; });
+    const auto found = std::ranges::find(candidates, name, &LobeCandidate::name);
     return found == candidates.end() ? nullptr : &*found;
   }
 };
@@ -205,7 +201,7 @@ struct KernelContest {
 bool is_sure(const LobeRule& rule, const KernelContest& contest) {
   const double least = contest.winner().square();
   return rules_agree(rule, contest.candidates) &&
-         std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const LobeCandidate& c) {
+         std::ranges::all_of(contest.candidates, [&](const LobeCandidate& c) {
            const double more = c.square() / least - 1;
            return more > 2 * agreement_of_rules || std::abs(more) < 1e-3 * agreement_of_rules;
          });
@@ -252,14 +248,12 @@ std::string errors_in_words(const std::vector<KernelContest>& contests, const st
   for (std::size_t i = 0; i < contests.front().candidates.size(); ++i) {
     std::vector<std::string> numbers;
     for (const KernelContest& contest : contests) {
-      if (std::find(shown.begin(), shown.end(), contest.exponent) != shown.end())
+      if (std::ranges::count(shown, contest.exponent) > 0)
         numbers.push_back(decimal(contest.candidates[i].rms, 3));
     }
     lines.push_back(fmt::format("{} {}", contests.front().candidates[i].name, enumerated(numbers)));
   }
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
-  return text;
+  return fmt::format("{}", fmt::join(lines, "; "));
 }
 
 /// The effect of a candidate instead of the lobe, at a thousand angles and both ends.
@@ -296,7 +290,7 @@ long wins_of_the_cosine(const std::vector<KernelContest>& contests, std::string_
   const auto takes_part = [&](const LobeCandidate& c) {
     return !needs_more_than_the_cosine(c.name, reading);
   };
-  return std::count_if(contests.begin(), contests.end(), [&](const KernelContest& contest) {
+  return std::ranges::count_if(contests, [&](const KernelContest& contest) {
     return contest.winner_among(takes_part).name == spherical_gaussian;
   });
 }
@@ -321,10 +315,9 @@ Finding other_kernels(const Claim& claim) {
     contests.push_back({k, candidates(rule, names, reading)});
     is_known = is_known && is_sure(rule, contests.back());
   }
-  const auto won = std::count_if(contests.begin(), contests.end(), [](const KernelContest& c) {
-    return c.winner().name == spherical_gaussian;
-  });
-  const auto of = static_cast<long>(contests.size());
+  const auto won = std::ranges::count_if(
+      contests, [](const KernelContest& c) { return c.winner().name == spherical_gaussian; });
+  const auto of = std::ssize(contests);
   const KernelContest &first = contests.front(), &last = contests.back();
   return {
       is_known ? std::optional(verdict_of_cases(static_cast<std::size_t>(won), contests.size()))
@@ -351,9 +344,8 @@ Finding other_kernels(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> kernels_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"other-kernels", other_kernels}};
-  return evaluators;
+std::vector<Evaluator> kernels_evaluators() {
+  return {{"other-kernels", other_kernels}};
 }
 
 }  // namespace shadefit

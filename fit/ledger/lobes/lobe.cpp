@@ -54,7 +54,7 @@ Finding offset_bounds(const Claim& claim) {
   Finding finding;
   finding.verdict = verdict_of_range(first.is_within(low, high), within);
   if (*finding.verdict != Verdict::confirmed &&
-      std::any_of(ranges.begin(), ranges.end(), [&](const OffsetRange& r) { return r.is_within(low, high); }))
+      std::ranges::any_of(ranges, [&](const OffsetRange& r) { return r.is_within(low, high); }))
     finding.verdict = Verdict::other_objective;
   finding.computed = fmt::format("0 .. {:.4g}", first.highest);
   finding.evidence = sentences(words);
@@ -102,7 +102,7 @@ Finding plain_accurate(const Claim& claim) {
   const double offset = given(claim, "offset"), accurate = given(claim, "accurate"),
                poor = given(claim, "poor");
   const auto exponents = exponents_from_to(claim);
-  if (!std::all_of(exponents.begin(), exponents.end(), [](double k) { return best_offset(k).has_value(); }))
+  if (!std::ranges::all_of(exponents, [](double k) { return best_offset(k).has_value(); }))
     return {std::nullopt, "", "the least-squares fits do not converge"};
   const auto error = [&](double k) { return largest_lobe_error(k, offset).magnitude; };
   const auto is_accurate = where_not_negative([&](double k) { return accurate - error(k); }, exponents);
@@ -180,15 +180,12 @@ Finding plain_peak(const Claim& claim) {
     words.push_back(fmt::format("{:.6g}{}{}", side->crossing.cos_theta,
                                 sides.size() == 1 ? " at k = " : " at ", exponent_text(exponent)));
   }
-  const bool holds = std::all_of(sides.begin(), sides.end(), [](const PeakSide& s) { return s.holds; });
+  const bool holds = std::ranges::all_of(sides, &PeakSide::holds);
   const auto law = peak_crossing_law(offset);
   const PeakSide& last = sides.back();
   const double t = last.exponent * last.crossing.one_minus_cos;
-  const auto most = *std::max_element(sides.begin(), sides.end(), [](const PeakSide& a, const PeakSide& b) {
-    const auto gain = [](const PeakSide& side) {
-      return side.shifted.absolute.magnitude - side.plain.absolute.magnitude;
-    };
-    return gain(a) < gain(b);
+  const auto most = *std::ranges::max_element(sides, {}, [](const PeakSide& side) {
+    return side.shifted.absolute.magnitude - side.plain.absolute.magnitude;
   });
   return {
       verdict_of(holds), fmt::format("c > 1 - {:.4g}/k as k grows", law.limit),
@@ -272,7 +269,7 @@ Finding offset_matters(const Claim& claim) {
                         OffsetGap(fitted, other, subtle, exponents),
                         OffsetGap(plain, other, subtle, exponents)};
   const auto reaches = [&](const OffsetGap& gap) { return covers(gap.is_subtle, from, exponents.back()); };
-  const auto held = std::count_if(gaps.begin(), gaps.end(), reaches);
+  const auto held = std::ranges::count_if(gaps, reaches);
   std::vector<std::string> words, codes;
   double start = 0;
   for (const OffsetGap& gap : gaps) {
@@ -282,9 +279,7 @@ Finding offset_matters(const Claim& claim) {
     codes.push_back(sentence(gap.is_a_code, exponents));
     start = std::max(start, gap.is_subtle.empty() ? exponents.back() : gap.is_subtle.back().from);
   }
-  const auto widest =
-      *std::max_element(gaps.begin(), gaps.end(),
-                        [&](const OffsetGap& a, const OffsetGap& b) { return a.at(from) < b.at(from); });
+  const auto widest = *std::ranges::max_element(gaps, {}, [&](const OffsetGap& gap) { return gap.at(from); });
   return {
       verdict_of_cases(static_cast<std::size_t>(held), gaps.size()), fmt::format("from k = {:.4g} on", start),
       fmt::format(
@@ -297,12 +292,12 @@ Finding offset_matters(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> lobe_evaluators() {
-  static constexpr std::array evaluators{
-      Evaluator{"sg-offset-bounds", offset_bounds}, Evaluator{"sg-plain-accurate", plain_accurate},
-      Evaluator{"sg-plain-peak", plain_peak}, Evaluator{"sg-offset-one-low", offset_one_low},
-      Evaluator{"sg-offset-matters-below", offset_matters}};
-  return evaluators;
+std::vector<Evaluator> lobe_evaluators() {
+  return {{"sg-offset-bounds", offset_bounds},
+          {"sg-plain-accurate", plain_accurate},
+          {"sg-plain-peak", plain_peak},
+          {"sg-offset-one-low", offset_one_low},
+          {"sg-offset-matters-below", offset_matters}};
 }
 
 }  // namespace shadefit

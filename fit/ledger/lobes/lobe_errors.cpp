@@ -1,9 +1,6 @@
 #include "fit/ledger/lobes/lobe_errors.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <string>
 
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
@@ -11,6 +8,7 @@
 #include "fit/errors/effect.hpp"
 #include "fit/families/families.hpp"
 #include "fit/solve/solve.hpp"
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -75,22 +73,16 @@ std::optional<double> best_offset(double exponent, Measure measure) {
 
 SmallestLobeError smallest_lobe_error(double exponent) {
   const Substitution substitution = places(exponent);
-  const auto excess = [&](double offset) {
-    const auto above = [&]<class T>(const Cosine<T>& c) { return positive_part(error(exponent, offset)(c)); };
+  // The largest error above c^k for the sign 1, below it for -1.
+  const auto excess = [&](double offset, int sign) {
+    const auto above = [&]<class T>(const Cosine<T>& c) {
+      return positive_part(T(integer<T>(sign) * error(exponent, offset)(c)));
+    };
     return largest_magnitude(above, substitution).magnitude;
   };
-  const auto lack = [&](double offset) {
-    const auto below = [&]<class T>(const Cosine<T>& c) {
-      return positive_part(T(-error(exponent, offset)(c)));
-    };
-    return largest_magnitude(below, substitution).magnitude;
-  };
-  std::uintmax_t steps = 50;
-  const auto root =
-      boost::math::tools::toms748_solve([&](double offset) { return excess(offset) - lack(offset); }, 0.0,
-                                        2.0, boost::math::tools::eps_tolerance<double>(34), steps);
-  const double offset = (root.first + root.second) / 2;
-  return {offset, excess(offset)};
+  const auto imbalance = [&](double offset) { return excess(offset, 1) - excess(offset, -1); };
+  const double offset = root_between(imbalance, 0, 2, 34);
+  return {offset, excess(offset, 1)};
 }
 
 std::optional<Cosine<double>> peak_crossing(double exponent, double offset) {
@@ -109,10 +101,7 @@ std::optional<Cosine<double>> peak_crossing(double exponent, double offset) {
   while (is_blunt && residual(high) < 0) high *= 2;
   double low = high / 2;
   while (residual(low) >= 0) low /= 2;
-  std::uintmax_t steps = 60;
-  const auto root = boost::math::tools::toms748_solve(residual, low, high,
-                                                      boost::math::tools::eps_tolerance<double>(48), steps);
-  return place((root.first + root.second) / 2);
+  return place(root_between(residual, low, high, 48));
 }
 
 double lobe_error_at(const Cosine<double>& c, double exponent, double offset) {

@@ -4,7 +4,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "approx/lobe.hpp"

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
-#include "fit/ledger/list.hpp"
+#include "fit/ledger/finding.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {
@@ -35,13 +34,13 @@ std::vector<double> missing_from(const std::vector<double>& entries) {
   const auto n = static_cast<double>(entries.size());
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const double value = static_cast<double>(k) / n;
-    if (std::find(entries.begin(), entries.end(), value) == entries.end()) missing.push_back(value);
+    if (std::ranges::find(entries, value) == entries.end()) missing.push_back(value);
   }
   return missing;
 }
 
 MarchError march_error(std::vector<double> places) {
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   const auto n = static_cast<double>(places.size());
   const auto cube = [](double t) { return t * t * t; };
   MarchError error;

@@ -35,10 +35,8 @@ std::optional<OffsetRange> offset_range(Measure measure, const std::vector<doubl
     if (!offset) return std::nullopt;
     offsets.push_back(*offset);
   }
-  const auto least =
-      static_cast<std::size_t>(std::min_element(offsets.begin(), offsets.end()) - offsets.begin());
-  const auto best =
-      static_cast<std::size_t>(std::max_element(offsets.begin(), offsets.end()) - offsets.begin());
+  const auto least = static_cast<std::size_t>(std::ranges::min_element(offsets) - offsets.begin());
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(offsets) - offsets.begin());
   // The place of a maximum has half the digits, the largest x has all.
   std::uintmax_t steps = 30;
   const auto peak = boost::math::tools::brent_find_minima(

@@ -135,10 +135,9 @@ Effect effect_seen_from(double view_angle, double exponent) {
 }
 
 /// "3.905, 15.4 and 34.06"
-template <class F>
-std::string listed(const std::vector<AtView>& views, const F& value, int digits) {
+std::string listed(const std::vector<AtView>& views, double AtView::*value, int digits) {
   std::vector<std::string> words;
-  for (const AtView& at : views) words.push_back(decimal(value(at), digits));
+  for (const AtView& at : views) words.push_back(decimal(at.*value, digits));
   return enumerated(words);
 }
 
@@ -160,14 +159,8 @@ std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& view
       "v, is 2 n.v: {}. Blinn's highlight is narrower in that direction. Over all lights twice the Blinn angle "
       "exceeds the Phong angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, "
       "differ by up to {}",
-      claim.inputs.at("views"),
-      listed(
-          views, [](const AtView& at) { return at.across; }, 5),
-      listed(
-          views, [](const AtView& at) { return at.excess; }, 5),
-      claim.inputs.at("exponent"),
-      listed(
-          views, [](const AtView& at) { return at.lobe; }, 3));
+      claim.inputs.at("views"), listed(views, &AtView::across, 5), listed(views, &AtView::excess, 5),
+      claim.inputs.at("exponent"), listed(views, &AtView::lobe, 3));
 }
 
 Finding angle(const Claim& claim) {
@@ -177,13 +170,12 @@ Finding angle(const Claim& claim) {
   std::vector<AtView> views;
   for (const double view : parse_sweep(claim.inputs.at("views"))) views.push_back(look_from(view, exponent));
   const auto holds_at = [](const AtView& at) { return at.excess <= search_tolerance; };
-  const bool holds_everywhere = holds_in_plane && std::all_of(views.begin(), views.end(), holds_at);
+  const bool holds_everywhere = holds_in_plane && std::ranges::all_of(views, holds_at);
   const Verdict verdict = holds_everywhere ? Verdict::confirmed
                           : holds_in_plane ? Verdict::conditional
                                            : Verdict::refuted;
-  const bool is_known = std::all_of(views.begin(), views.end(), follows_the_laws);
-  const AtView& worst_view = *std::max_element(
-      views.begin(), views.end(), [](const AtView& a, const AtView& b) { return a.lobe < b.lobe; });
+  const bool is_known = std::ranges::all_of(views, follows_the_laws);
+  const AtView& worst_view = *std::ranges::max_element(views, {}, &AtView::lobe);
   const double middle = (in_plane.low + in_plane.high) / 2;
   return {
       is_known ? std::optional(verdict) : std::nullopt,
@@ -198,9 +190,8 @@ Finding angle(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> phong_blinn_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"phong-blinn-angle", angle}};
-  return evaluators;
+std::vector<Evaluator> phong_blinn_evaluators() {
+  return {{"phong-blinn-angle", angle}};
 }
 
 }  // namespace shadefit

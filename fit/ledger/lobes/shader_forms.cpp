@@ -69,8 +69,9 @@ Symbolic specular_by_gaussian() {
   return normalisation_of_sharpness(a) * gaussian_lobe_base_two(cosine(), a);
 }
 
-Symbolic whole_term(const Symbolic& weight) {
-  return schlick_reflectance(v("F0"), weight);
+/// (1-c)^n by exp2 and log2.
+Symbolic schlick_by_pow(int n) {
+  return power_by_exp2(complement_of_cosine(), integer<Symbolic>(n));
 }
 
 Symbolic mip_level_of_known_width(bool is_successor_given) {
@@ -95,39 +96,33 @@ constexpr std::array counted_forms{
     Form{"normalisation-of-sharpness", [] { return normalisation_of_sharpness(v("A")); }},
     Form{"specular-pow", specular_by_pow},
     Form{"specular-gaussian", specular_by_gaussian},
-    Form{"schlick-pow", [] { return power_by_exp2(complement_of_cosine(), integer<Symbolic>(5)); }},
-    Form{"reflectance-pow",
-         [] { return whole_term(power_by_exp2(complement_of_cosine(), integer<Symbolic>(5))); }},
-    Form{"reflectance-one-term", [] { return whole_term(fresnel_one_term(cosine(), v("A"))); }},
+    Form{"schlick-pow", [] { return schlick_by_pow(5); }},
+    Form{"reflectance-pow", [] { return schlick_reflectance(v("F0"), schlick_by_pow(5)); }},
+    Form{"reflectance-one-term",
+         [] { return schlick_reflectance(v("F0"), fresnel_one_term(cosine(), v("A"))); }},
     Form{"schlick-squaring", [] { return schlick_weight(cosine()); }},
     Form{"fresnel-one-term", [] { return fresnel_one_term(cosine(), v("A")); }},
     Form{"fresnel-quadratic", [] { return fresnel_quadratic(cosine(), v("a"), v("b")); }},
-    Form{"power-four-exp2", [] { return power_by_exp2(complement_of_cosine(), integer<Symbolic>(4)); }},
+    Form{"power-four-exp2", [] { return schlick_by_pow(4); }},
     Form{"power-four-exp2-of-complement", [] { return power_by_exp2(v("y"), integer<Symbolic>(4)); }},
     Form{"power-four-squaring", [] { return power(complement_of_cosine(), 4); }},
     Form{"mip-level", [] { return mip_level_of_known_width(false); }},
     Form{"mip-level-of-successor", [] { return mip_level_of_known_width(true); }},
 };
 
-std::array<Symbolic, 3> vector(const std::string& name) {
+using Components = std::array<Symbolic, 3>;
+
+Components vector(const std::string& name) {
   return {v(fmt::format("{}x", name)), v(fmt::format("{}y", name)), v(fmt::format("{}z", name))};
 }
 
-struct LightForm {
-  std::string_view name;
-  Symbolic (*result)(const std::array<Symbolic, 3>& light);
-};
+Symbolic phong_gaussian(const Components& light) {
+  return phong_by_exp2(scaled_reflection(vector("r"), v("A")), light);
+}
 
-constexpr std::array light_forms{
-    LightForm{"phong-gaussian",
-              [](const std::array<Symbolic, 3>& light) {
-                return phong_by_exp2(scaled_reflection(vector("r"), v("A")), light);
-              }},
-    LightForm{"phong-pow",
-              [](const std::array<Symbolic, 3>& light) {
-                return power_by_exp2(phong_cosine(vector("r"), light), v("k"));
-              }},
-};
+Symbolic phong_pow(const Components& light) {
+  return power_by_exp2(phong_cosine(vector("r"), light), v("k"));
+}
 
 }  // namespace
 
@@ -135,13 +130,14 @@ std::vector<Symbolic> shader_form(std::string_view name, int lights) {
   for (const Form& form : counted_forms) {
     if (form.name == name) return {form.result()};
   }
-  for (const LightForm& form : light_forms) {
-    if (form.name != name) continue;
-    std::vector<Symbolic> results;
-    for (int i = 0; i < lights; ++i) results.push_back(form.result(vector(fmt::format("l{}", i))));
-    return results;
+  if (name != "phong-gaussian" && name != "phong-pow")
+    throw std::invalid_argument(fmt::format("no shader form '{}'", name));
+  std::vector<Symbolic> results;
+  for (int i = 0; i < lights; ++i) {
+    const Components light = vector(fmt::format("l{}", i));
+    results.push_back(name == "phong-pow" ? phong_pow(light) : phong_gaussian(light));
   }
-  throw std::invalid_argument(fmt::format("no shader form '{}'", name));
+  return results;
 }
 
 }  // namespace shadefit

@@ -3,9 +3,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "fit/ledger/topics.hpp"
@@ -14,6 +12,7 @@
 #include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -38,15 +37,9 @@ Integral integral_over_sphere(double concentration) {
 /// The largest k at which the printed formula is a finite number at its peak, halved down to a double.
 template <class T>
 double last_finite_concentration() {
-  const auto is_finite = [](double k) {
+  return last_by_halving(1, 2048, 60, [](double k) {
     return std::isfinite(static_cast<double>(von_mises_fisher(integer<T>(1), static_cast<T>(k))));
-  };
-  double low = 1, high = 2048;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (is_finite(middle) ? low : high) = middle;
-  }
-  return low;
+  });
 }
 
 Finding normalisation(const Claim& claim) {
@@ -69,7 +62,7 @@ Finding normalisation(const Claim& claim) {
           "the integral over the sphere is {:.10g} by two rules, each to {:.1g}, at {} from k = {:.6g} to "
           "{:.6g}{}. As printed the formula overflows in half, float and double beyond k = {:.4g}, {:.4g} "
           "and {:.4g}. The form k/(2 pi (1 - e^(-2k))) e^(-k(1-c)), which is equal, does not overflow",
-          furthest, integral_tolerance, counted(static_cast<long>(concentrations.size()), "concentration"),
+          furthest, integral_tolerance, counted(std::ssize(concentrations), "concentration"),
           concentrations.front(), concentrations.back(), is_equal ? "" : ", which is not the printed number",
           last_finite_concentration<Eigen::half>(), last_finite_concentration<float>(),
           last_finite_concentration<double>()),
@@ -83,12 +76,7 @@ double concentration_of_error(double share) {
 
 /// The largest relative error that shifts no colour by more than one 8-bit sRGB code.
 double share_of_one_code() {
-  double low = 0, high = 1;
-  for (int i = 0; i < 53; ++i) {
-    const double middle = (low + high) / 2;
-    (codes_of_factor(1 - middle) <= 1 ? low : high) = middle;
-  }
-  return low;
+  return last_by_halving(0, 1, 53, [](double share) { return codes_of_factor(1 - share) <= 1; });
 }
 
 Finding sharp_density(const Claim& claim) {
@@ -123,10 +111,8 @@ Finding sharp_density(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> von_mises_fisher_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"vmf-normalisation", normalisation},
-                                         Evaluator{"vmf-large-k", sharp_density}};
-  return evaluators;
+std::vector<Evaluator> von_mises_fisher_evaluators() {
+  return {{"vmf-normalisation", normalisation}, {"vmf-large-k", sharp_density}};
 }
 
 }  // namespace shadefit

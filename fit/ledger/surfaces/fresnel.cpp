@@ -9,6 +9,7 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/fit.hpp"
+#include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/ledger/where.hpp"
 #include "fit/quadrature/integrate.hpp"
@@ -283,12 +284,11 @@ HalfExcess excess_in_half(int steps) {
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j) {
       const Eigen::half f0 = grey(i), gloss = grey(j), top = max(gloss, f0);
-      const double above = static_cast<double>(static_cast<float>(
-                               schlick_reflectance_of_gloss(f0, gloss, integer<Eigen::half>(1)))) -
-                           static_cast<double>(static_cast<float>(top));
+      const double above =
+          widened(schlick_reflectance_of_gloss(f0, gloss, integer<Eigen::half>(1))) - widened(top);
       if (above <= 0) continue;
       ++excess.pairs;
-      excess.ulps = std::max(excess.ulps, above / ulp_of_half(static_cast<double>(static_cast<float>(top))));
+      excess.ulps = std::max(excess.ulps, above / ulp_of_half(widened(top)));
     }
   }
   return excess;
@@ -331,15 +331,11 @@ Finding roughness_range(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> fresnel_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"fresnel-one-term", sharpness_of_offset},
-                                         Evaluator{"fresnel-one-term-at-1", one_term_at_one},
-                                         Evaluator{"fresnel-quadratic-at-1", quadratic_at_one},
-                                         Evaluator{"fresnel-power-four", power_four},
-                                         Evaluator{"fresnel-relative-error", relative_errors},
-                                         Evaluator{"fresnel-exponent-sum", exponent_sum},
-                                         Evaluator{"fresnel-roughness", roughness_range}};
-  return evaluators;
+std::vector<Evaluator> fresnel_evaluators() {
+  return {{"fresnel-one-term", sharpness_of_offset},    {"fresnel-one-term-at-1", one_term_at_one},
+          {"fresnel-quadratic-at-1", quadratic_at_one}, {"fresnel-power-four", power_four},
+          {"fresnel-relative-error", relative_errors},  {"fresnel-exponent-sum", exponent_sum},
+          {"fresnel-roughness", roughness_range}};
 }
 
 }  // namespace shadefit

@@ -6,8 +6,6 @@
 
 #include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/colour/colour_chart.hpp"
-#include "fit/ledger/list.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/format.hpp"
@@ -112,16 +110,10 @@ Finding workflow_channels(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> material_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"chart-dielectric", chart_range},
-                                         Evaluator{"chart-metal", chart_range},
-                                         Evaluator{"chart-range-typo", chart_range_given_twice},
-                                         Evaluator{"chart-overlap", chart_holds_common_materials},
-                                         Evaluator{"middle-grey", middle_grey},
-                                         Evaluator{"metallic-workflow", metallic_workflow},
-                                         Evaluator{"workflow-channels", workflow_channels},
-                                         Evaluator{"diffuse-fresnel", diffuse_fresnel}};
-  return evaluators;
+std::vector<Evaluator> material_evaluators() {
+  return {{"metallic-workflow", metallic_workflow},
+          {"workflow-channels", workflow_channels},
+          {"diffuse-fresnel", diffuse_fresnel}};
 }
 
 }  // namespace shadefit

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "fit/errors/effect.hpp"
-#include "fit/errors/one_code.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/integrals/microfacet_integrals.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -37,7 +35,7 @@ struct Widths {
     alpha = [formula = parse_formula(claim.inputs.at("alpha"), variables)](double r) {
       return evaluate<double>(formula, [r](const std::string&) { return r; });
     };
-    std::sort(roughness.begin(), roughness.end());
+    std::ranges::sort(roughness);
   }
 
   std::string words() const {
@@ -144,15 +142,9 @@ struct Pair {
   Masking masking;
 };
 
-/// G1 times the visible area over v.n, less 1; by one rule, for searches.
-double masking_error(const Pair& pair, double alpha, const View& view) {
-  const double area = integrate_visible_area_by_slope(pair.distribution, alpha, view, place_tolerance).value;
-  return masking(pair.masking, view, alpha) * area / view.direction.cosine - 1;
-}
-
 std::vector<double> angles_of(const Claim& claim) {
   std::vector<double> angles = parse_sweep(claim.inputs.at("view angles"));
-  std::sort(angles.begin(), angles.end());
+  std::ranges::sort(angles);
   return angles;
 }
 
@@ -179,8 +171,8 @@ MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::ve
 }
 
 std::string views_in_words(const std::vector<double>& angles) {
-  return fmt::format("{} from {:.6g} to {:.6g} degrees",
-                     counted(static_cast<long>(angles.size()), "view angle"), angles.front(), angles.back());
+  return fmt::format("{} from {:.6g} to {:.6g} degrees", counted(std::ssize(angles), "view angle"),
+                     angles.front(), angles.back());
 }
 
 /// The effect of a masking on a surface with F = 1, which should reflect all of the light.
@@ -213,14 +205,11 @@ Finding masked_by_its_own(const Claim& claim) {
 /// first place.
 std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places,
                                   const std::vector<double>& values) {
-  const auto above = std::find_if(values.begin(), values.end(), [](double value) { return value > 0; });
+  const auto above = std::ranges::find_if(values, [](double value) { return value > 0; });
   if (above == values.end()) return places.back();
   const auto i = static_cast<std::size_t>(above - values.begin());
   if (i == 0) return std::nullopt;
-  std::uintmax_t steps = 60;
-  const auto root = boost::math::tools::toms748_solve(f, places[i - 1], places[i], values[i - 1], values[i],
-                                                      boost::math::tools::eps_tolerance<double>(30), steps);
-  return (root.first + root.second) / 2;
+  return root_between(f, places[i - 1], places[i], values[i - 1], values[i], 30);
 }
 
 /// The range in which a borrowed masking is within `allowed`: up to a roughness for every view, and up to a
@@ -232,8 +221,13 @@ struct LoanRange {
 
 LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<double>& angles,
                    const MaskingTable& table, double allowed) {
+  // |G1 times the visible area over v.n, less 1|, by one rule
   const auto error_at = [&](double r, double degrees) {
-    return std::abs(masking_error(pair, widths.alpha(r), View(degrees))) - allowed;
+    const double alpha = widths.alpha(r);
+    const View view(degrees);
+    const double area =
+        integrate_visible_area_by_slope(pair.distribution, alpha, view, place_tolerance).value;
+    return std::abs(masking(pair.masking, view, alpha) * area / view.direction.cosine - 1) - allowed;
   };
   const auto at_roughness = [&](double r) {
     double most = -allowed;
@@ -285,22 +279,20 @@ Finding loan(std::string_view distribution, const Claim& claim) {
   const Furthest& worst = table.worst;
   const double accurate = given(claim, "accurate"), code = change_of_one_code();
   const LoanRange range = range_of(pair, widths, angles, table, accurate);
-  Finding finding;
-  if (worst.error <= promised) {
-    finding.verdict = worst.relative <= accurate            ? Verdict::confirmed
-                      : range.roughness || range.view_angle ? Verdict::conditional
-                                                            : Verdict::refuted;
-  }
+  const Verdict verdict = worst.relative <= accurate            ? Verdict::confirmed
+                          : range.roughness || range.view_angle ? Verdict::conditional
+                                                                : Verdict::refuted;
   const std::string ratio = decimal(worst.integral, 4);
-  finding.computed = fmt::format("{} v.n ({})", ratio, distribution);
-  finding.evidence = fmt::format(
-      "{} with the G1 of {} gives {} times v.n at these roughnesses, seen from {:.6g} degrees. The worst "
-      "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, "
-      "the ratio is {}",
-      distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness, worst.view_angle,
-      words(range, accurate), words(range_of(pair, widths, angles, table, code), code));
-  finding.effect = effect_of_masking(worst, distribution);
-  return finding;
+  return {
+      worst.error <= promised ? std::optional(verdict) : std::nullopt,
+      fmt::format("{} v.n ({})", ratio, distribution),
+      fmt::format(
+          "{} with the G1 of {} gives {} times v.n at these roughnesses, seen from {:.6g} degrees. The worst "
+          "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, "
+          "the ratio is {}",
+          distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness,
+          worst.view_angle, words(range, accurate), words(range_of(pair, widths, angles, table, code), code)),
+      effect_of_masking(worst, distribution)};
 }
 
 Finding masked_by_another(const Claim& claim) {
@@ -315,15 +307,14 @@ Finding masked_by_another(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> microfacet_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"ndf-blinn-phong", normalised<Distribution::blinn_phong>},
-                                         Evaluator{"ndf-beckmann", normalised<Distribution::beckmann>},
-                                         Evaluator{"ndf-ggx", normalised<Distribution::ggx>},
-                                         Evaluator{"ndf-gtr1", gtr1_normalised},
-                                         Evaluator{"smith-beckmann", masked_by_its_own},
-                                         Evaluator{"smith-ggx", masked_by_its_own},
-                                         Evaluator{"smith-borrowed", masked_by_another}};
-  return evaluators;
+std::vector<Evaluator> microfacet_evaluators() {
+  return {{"ndf-blinn-phong", normalised<Distribution::blinn_phong>},
+          {"ndf-beckmann", normalised<Distribution::beckmann>},
+          {"ndf-ggx", normalised<Distribution::ggx>},
+          {"ndf-gtr1", gtr1_normalised},
+          {"smith-beckmann", masked_by_its_own},
+          {"smith-ggx", masked_by_its_own},
+          {"smith-borrowed", masked_by_another}};
 }
 
 }  // namespace shadefit

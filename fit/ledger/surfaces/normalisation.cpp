@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -12,16 +10,17 @@
 
 #include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/errors/one_code.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/integrals/normalisation_check.hpp"
 #include "fit/integrals/reflectance.hpp"
+#include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -46,10 +45,9 @@ class PrintedConstant {
 };
 
 const Normalisation& record_of(const Claim& claim) {
-  for (const Normalisation& record : normalisations) {
-    if (record.id == claim.id) return record;
-  }
-  throw std::logic_error(fmt::format("no normalisation {}", claim.id));
+  const auto record = std::ranges::find(normalisations, claim.id, &Normalisation::id);
+  if (record == normalisations.end()) throw std::logic_error(fmt::format("no normalisation {}", claim.id));
+  return *record;
 }
 
 std::vector<double> exponents_of(const Claim& claim) {
@@ -58,9 +56,8 @@ std::vector<double> exponents_of(const Claim& claim) {
 
 /// "8 exponents from 0.1 to 1e+06".
 std::string range_in_words(const std::vector<double>& values, std::string_view noun) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return fmt::format("{} from {:.6g} to {:.6g}", counted(static_cast<long>(values.size()), noun), *low,
-                     *high);
+  const auto [low, high] = std::ranges::minmax_element(values);
+  return fmt::format("{} from {:.6g} to {:.6g}", counted(std::ssize(values), noun), *low, *high);
 }
 
 /// "v at a = 8", or "v" for a constant without an exponent.
@@ -124,16 +121,15 @@ Finding constant_alone(const Claim& claim) {
 /// The view along the normal, then every view angle of the claim.
 std::vector<double> views_of(const Claim& claim) {
   std::vector<double> angles = parse_sweep(claim.inputs.at("view angles"));
-  std::sort(angles.begin(), angles.end());
+  std::ranges::sort(angles);
   angles.insert(angles.begin(), 0);
   return angles;
 }
 
 /// The curves of a printed constant over the view angles, one for each exponent of the claim.
 std::vector<ReflectanceCurve> curves_of(const Claim& claim, const PrintedConstant& printed) {
-  const auto constant =
-      std::find_if(reflected_constants.begin(), reflected_constants.end(),
-                   [&](const ReflectedConstant& reflected) { return reflected.record->id == claim.id; });
+  const auto constant = std::ranges::find(
+      reflected_constants, claim.id, [](const ReflectedConstant& reflected) { return reflected.record->id; });
   if (constant == reflected_constants.end()) throw std::logic_error("no reflectance of that constant");
   const auto angles = views_of(claim);
   std::vector<ReflectanceCurve> curves;
@@ -157,7 +153,7 @@ struct Largest {
 };
 
 Largest largest_of(const std::vector<ReflectanceCurve>& curves, ReflectancePeak ReflectanceCurve::*part) {
-  const auto peak = std::max_element(curves.begin(), curves.end(), [&](const auto& a, const auto& b) {
+  const auto peak = std::ranges::max_element(curves, [&](const auto& a, const auto& b) {
     return (b.*part).value > (a.*part).value * (1 + equal_extrema);
   });
   const ReflectancePeak& top = (*peak).*part;
@@ -168,8 +164,7 @@ Largest largest_of(const std::vector<ReflectanceCurve>& curves, ReflectancePeak 
 /// The lowest reflectance at the flattest view.
 Largest lowest_of(const std::vector<ReflectanceCurve>& curves) {
   const auto at_end = [](const ReflectanceCurve& curve) { return curve.points.back().reflectance; };
-  const auto curve = std::min_element(curves.begin(), curves.end(),
-                                      [&](const auto& a, const auto& b) { return at_end(a) < at_end(b); });
+  const auto curve = std::ranges::min_element(curves, {}, at_end);
   return {at_end(*curve), fmt::format("{:.4g} (a = {:.6g}, {:.6g} degrees)", at_end(*curve), curve->exponent,
                                       curve->points.back().view_angle)};
 }
@@ -220,12 +215,7 @@ class CheapRatio {
 
 constexpr double grid_first = -10, grid_last = 20, grid_step = 0.125;
 
-double root_of(const std::function<double(double)>& f, double left, double right) {
-  std::uintmax_t steps = 60;
-  const auto root =
-      boost::math::tools::toms748_solve(f, left, right, boost::math::tools::eps_tolerance<double>(45), steps);
-  return (root.first + root.second) / 2;
-}
+constexpr unsigned root_bits = 45;
 
 /// The place where the stand-in is furthest from the exact constant: the worst of a grid, refined to a root
 /// of the slope.
@@ -237,32 +227,25 @@ double furthest_place(const CheapRatio& ratio) {
   const double left = place - grid_step, right = place + grid_step;
   if (place == grid_first || place == grid_last || !(ratio.slope(left) * ratio.slope(right) < 0))
     return place;
-  return root_of([&](double x) { return ratio.slope(x); }, left, right);
+  return root_between([&](double x) { return ratio.slope(x); }, left, right, root_bits);
 }
 
-/// The place beyond `start` from which on it stays within `allowed`; empty if there is none.
-std::optional<double> close_from(const CheapRatio& ratio, double start, double allowed) {
+/// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`;
+/// empty if there is none.
+std::optional<double> close_up_to(const CheapRatio& ratio, double from, double to, double allowed) {
   const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
-  for (double x = grid_last; x > start && excess(x) <= 0; x -= grid_step) {
-    const double left = std::max(start, x - grid_step);
-    if (excess(left) > 0) return root_of(excess, left, x);
-  }
-  return std::nullopt;
-}
-
-/// The place before `end` up to which it stays within `allowed`; empty if there is none.
-std::optional<double> close_up_to(const CheapRatio& ratio, double end, double allowed) {
-  const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
-  for (double x = grid_first; x < end && excess(x) <= 0; x += grid_step) {
-    const double right = std::min(end, x + grid_step);
-    if (excess(right) > 0) return root_of(excess, x, right);
+  const double step = std::copysign(grid_step, to - from);
+  for (double x = from; (to - x) * step > 0 && excess(x) <= 0; x += step) {
+    const double next = std::clamp(x + step, std::min(from, to), std::max(from, to));
+    if (excess(next) > 0) return root_between(excess, std::min(x, next), std::max(x, next), root_bits);
   }
   return std::nullopt;
 }
 
 std::string within_one_code(const CheapRatio& ratio, double place) {
   const double code = change_of_one_code();
-  const auto up_to = close_up_to(ratio, place, code), from = close_from(ratio, place, code);
+  const auto up_to = close_up_to(ratio, grid_first, place, code),
+             from = close_up_to(ratio, grid_last, place, code);
   std::vector<std::string> ranges;
   if (up_to) ranges.push_back(fmt::format("up to a = {:.4g}", std::exp2(*up_to)));
   if (from) ranges.push_back(fmt::format("from a = {:.4g} on", std::exp2(*from)));
@@ -298,7 +281,7 @@ std::string closest_in_words(const CheapRatio& ratio, double furthest, double lo
   const Verdict verdict = closest_at_low_powers(ratio, furthest);
   if (verdict == Verdict::confirmed) return "The lower the power, the closer it is";
   if (verdict == Verdict::refuted) return "It does not get closer with each lower power";
-  const auto from = close_from(ratio, furthest, ratio.distance(std::log2(low)));
+  const auto from = close_up_to(ratio, grid_last, furthest, ratio.distance(std::log2(low)));
   return fmt::format("The lower the power, the closer the ratio is to 1, but only below that a: {}{:.4g}",
                      from ? fmt::format("from a = {:.4g} on it is closer than at a = ", std::exp2(*from))
                           : std::string("nowhere beyond it stays closer than at a = "),
@@ -316,26 +299,25 @@ Finding cheap_constant(const Claim& claim) {
   error = std::max(error, error_of(curves));
   const CheapRatio ratio(printed);
   const double place = furthest_place(ratio), furthest = ratio.distance(place);
-  Finding finding;
-  if (error <= reflectance_tolerance)
-    finding.verdict = worst(std::array{verdict_of(furthest <= close), closest_at_low_powers(ratio, place)});
-  finding.computed = fmt::format("up to {:.10g} times the exact constant", 1 + ratio(place));
-  finding.evidence = fmt::format(
-      "the ratio of {} to {} (1 over the integral of the lobe, at {}) is furthest from 1 at a = {:.6g}, by "
-      "{:.6g}, which is {}{:.4g} ({}). {}. Energy that it creates, over {} degrees: at {}",
-      printed.text(), BlinnPhongBrdfLobe::record.printed, range_in_words(exponents, "exponent"),
-      std::exp2(place), furthest, furthest <= close ? "within " : "not within ", close,
-      within_one_code(ratio, place), closest_in_words(ratio, place, low),
-      range_in_words(views_of(claim), "view angle"), energy_in_words(curves));
-  finding.effect = effect_of_factor(1 + ratio(place), 1, fmt::format("at a = {:.3g} it", std::exp2(place)));
-  return finding;
+  const Verdict verdict =
+      worst(std::array{verdict_of(furthest <= close), closest_at_low_powers(ratio, place)});
+  return {
+      error <= reflectance_tolerance ? std::optional(verdict) : std::nullopt,
+      fmt::format("up to {:.10g} times the exact constant", 1 + ratio(place)),
+      fmt::format(
+          "the ratio of {} to {} (1 over the integral of the lobe, at {}) is furthest from 1 at a = {:.6g}, by "
+          "{:.6g}, which is {}{:.4g} ({}). {}. Energy that it creates, over {} degrees: at {}",
+          printed.text(), BlinnPhongBrdfLobe::record.printed, range_in_words(exponents, "exponent"),
+          std::exp2(place), furthest, furthest <= close ? "within " : "not within ", close,
+          within_one_code(ratio, place), closest_in_words(ratio, place, low),
+          range_in_words(views_of(claim), "view angle"), energy_in_words(curves)),
+      effect_of_factor(1 + ratio(place), 1, fmt::format("at a = {:.3g} it", std::exp2(place)))};
 }
 
 /// The quarter of the distribution's constant, and the same in a game's light unit.
 Finding microfacet_constant(const Claim& claim) {
-  constexpr std::array<std::string_view, 0> no_names{};
   const std::string_view text = claim.inputs.at("light unit");
-  const Unit unit{evaluate<double>(parse_formula(text, no_names), [](const std::string&) { return 0.0; }),
+  const Unit unit{evaluate<double>(parse_formula(text, {}), [](const std::string&) { return 0.0; }),
                   std::string(text)};
   const Finding plain = constant_alone(claim);
   const Finding in_unit = against_integrals(claim, PrintedConstant(claim.printed[1].value), unit);
@@ -346,14 +328,15 @@ Finding microfacet_constant(const Claim& claim) {
 }
 
 /// The effect of a detour in half precision, or "none".
-std::string effect_in_half(const std::function<Eigen::half(Eigen::half)>& left,
-                           const std::function<Eigen::half(Eigen::half)>& right) {
+std::string effect_in_half(const Symbolic& left, const Symbolic& right) {
+  const auto value = [](const Symbolic& formula, Eigen::half colour) {
+    return widened(evaluate<Eigen::half>(formula, [&](const std::string&) { return colour; }));
+  };
   int moved = 0;
   Effect effect;
   for (int i = 1; i <= 255; ++i) {
     const Eigen::half grey = round_to_half(i / 255.0);
-    const auto a = static_cast<double>(static_cast<float>(left(grey)));
-    const auto b = static_cast<double>(static_cast<float>(right(grey)));
+    const double a = value(left, grey), b = value(right, grey);
     moved += a != b;
     effect.show(b, a, {{"grey ", static_cast<double>(i), "/255"}});
   }
@@ -368,9 +351,6 @@ Finding light_unit(const Claim& claim) {
   const auto value = [](const Symbolic& formula, const Decimal50& colour) {
     return in_50_digits(formula, [&](const std::string&) { return colour; });
   };
-  const auto in_half = [](const Symbolic& formula, Eigen::half colour) {
-    return evaluate<Eigen::half>(formula, [&](const std::string&) { return colour; });
-  };
   Decimal50 furthest = 0;
   for (int i = 1; i <= 255; ++i) {
     const Decimal50 colour = Decimal50(i) / 255;
@@ -384,24 +364,22 @@ Finding light_unit(const Claim& claim) {
       fmt::format("{} and {} differ by {}, relative, at 255 grey levels in 50 digits", left_text, right_text,
                   holds ? fmt::format("less than {:.1g}", tolerance)
                         : fmt::format("up to {:.4g}", furthest.convert_to<double>())),
-      holds ? effect_in_half([&](Eigen::half c) { return in_half(left, c); },
-                             [&](Eigen::half c) { return in_half(right, c); })
+      holds ? effect_in_half(left, right)
             : effect_of_factor(at_white, value(right, Decimal50(1)).convert_to<double>())};
 }
 
 }  // namespace
 
-std::span<const Evaluator> normalisation_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"norm-lambert", constant_alone},
-                                         Evaluator{"norm-phong", constant_at_every_view},
-                                         Evaluator{"norm-phong-brdf", constant_at_every_view},
-                                         Evaluator{"norm-blinn-phong", constant_at_every_view},
-                                         Evaluator{"norm-blinn-phong-brdf", constant_at_every_view},
-                                         Evaluator{"norm-blinn-phong-cheap", cheap_constant},
-                                         Evaluator{"norm-ndf", constant_alone},
-                                         Evaluator{"norm-microfacet", microfacet_constant},
-                                         Evaluator{"norm-game-light-unit", light_unit}};
-  return evaluators;
+std::vector<Evaluator> normalisation_evaluators() {
+  return {{"norm-lambert", constant_alone},
+          {"norm-phong", constant_at_every_view},
+          {"norm-phong-brdf", constant_at_every_view},
+          {"norm-blinn-phong", constant_at_every_view},
+          {"norm-blinn-phong-brdf", constant_at_every_view},
+          {"norm-blinn-phong-cheap", cheap_constant},
+          {"norm-ndf", constant_alone},
+          {"norm-microfacet", microfacet_constant},
+          {"norm-game-light-unit", light_unit}};
 }
 
 }  // namespace shadefit

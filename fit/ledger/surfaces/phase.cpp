@@ -1,14 +1,11 @@
 #include "approx/phase.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/list.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/support/decimal.hpp"
@@ -75,9 +72,9 @@ Finding phase_normalisation(const Claim& claim) {
     apart = std::max({apart, found.error, std::abs(found.value - closed)});
     verdicts.push_back(judge_known_to(claim.printed[0].value, closed, phase_agreement));
   }
-  const auto [least, most] = std::minmax_element(anisotropies.begin(), anisotropies.end());
+  const auto [least, most] = std::ranges::minmax_element(anisotropies);
   const auto magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const double sharpest = std::abs(*std::max_element(anisotropies.begin(), anisotropies.end(), magnitude));
+  const double sharpest = std::abs(*std::ranges::max_element(anisotropies, magnitude));
   const auto single = static_cast<float>(sharpest);
   const double off = error_at_peak(henyey_greenstein(1.0F, single), single);
   const double robust = error_at_peak(henyey_greenstein_near_peak(0.0F, single), single);
@@ -89,7 +86,7 @@ Finding phase_normalisation(const Claim& claim) {
           "them over the form as printed, agree with it {}. The peak is {:.4g} per steradian at |g| = "
           "{:.6g}. There, in single precision, the printed form is off by {:.2g} of its value; with (1-g)^2 "
           "+ 2 g (1-c) under the exponent 1.5 it is off {}",
-          closed, counted(static_cast<long>(anisotropies.size()), "value"), *least, *most,
+          closed, counted(std::ssize(anisotropies), "value"), *least, *most,
           apart <= phase_agreement ? fmt::format("to {:.1g}", phase_agreement)
                                    : fmt::format("no better than to {:.1g}", apart),
           henyey_greenstein_near_peak(0.0, sharpest), sharpest, off,
@@ -99,9 +96,8 @@ Finding phase_normalisation(const Claim& claim) {
 
 }  // namespace
 
-std::span<const Evaluator> phase_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"hg-normalisation", phase_normalisation}};
-  return evaluators;
+std::vector<Evaluator> phase_evaluators() {
+  return {{"hg-normalisation", phase_normalisation}};
 }
 
 }  // namespace shadefit

@@ -1,4 +1,4 @@
-#include "fit/errors/one_code.hpp"
+#include "fit/errors/effect.hpp"
 
 #include <gtest/gtest.h>
 

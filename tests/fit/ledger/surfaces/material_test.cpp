@@ -7,7 +7,7 @@
 
 #include "approx/encoding.hpp"
 #include "fit/ledger/colour/transfer_function.hpp"
-#include "fit/ledger/list.hpp"
+#include "fit/ledger/finding.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/fit/ledger/mutations.hpp"
