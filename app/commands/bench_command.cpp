@@ -6,7 +6,7 @@
 #include "app/commands/study_commands.hpp"
 #include "app/options/bench_options.hpp"
 #include "app/output/draw_figures.hpp"
-#include "app/output/output_folder.hpp"
+#include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
 #include "bench/device/times/device_report.hpp"
@@ -74,6 +74,18 @@ struct BenchTexts {
   std::string console, markdown;
 };
 
+/// A table of each target.
+BenchTexts texts_of(const bench::Trade& trade, Table (*table_of)(const bench::Trade&, const std::string&),
+                    const Terminal& terminal) {
+  BenchTexts texts;
+  for (const bench::TimedTarget& target : trade.targets) {
+    const Table table = table_of(trade, target.id);
+    texts.console += fmt::format("{}\n{}\n", target.title, write_console(table, Precision::report, terminal));
+    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(table));
+  }
+  return texts;
+}
+
 /// The outcome of a bench: its times, and what --compare finds. `err` and `exit_code` are those of the rest.
 Outcome bench_outcome(const BenchOptions& options, const bench::Trade& trade,
                       const std::optional<bench::Medians>& older, const BenchTexts& texts,
@@ -116,49 +128,14 @@ Outcome bench_study(const BenchOptions& options, const Checkpoint& checkpoint, c
   const auto older = older_run(options);
   const OutputFolder folder(options.out);
   const StudyFile file = named_study(*options.study, study_folders(options.studies));
-  const bench::Trade trade = bench::measure_study(
-      file.id, comparisons_of(file, checkpoint), options.quick ? bench::quick_plan : bench::full_plan,
-      bench::now, [&, show = bar(progress, "bench")](double share) {
-        checkpoint();
-        show(share);
-      });
+  const bench::Trade trade = bench::measure_study(file.id, comparisons_of(file, checkpoint),
+                                                  options.quick ? bench::quick_plan : bench::full_plan,
+                                                  bench::now, bar(checkpoint, progress, "bench"));
   const auto put = folder.prepare(bench::study_bench_files(trade), {}, options.force, checkpoint);
-  BenchTexts texts;
-  for (const bench::TimedTarget& target : trade.targets) {
-    const Table times = bench::study_times(trade, target.id);
-    texts.console += fmt::format("{}{}\n{}", texts.console.empty() ? "" : "\n", target.title,
-                                 write_console(times, Precision::report, options.terminal));
-    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(times));
-  }
+  BenchTexts texts = texts_of(trade, bench::study_times, options.terminal);
+  texts.console.pop_back();  // the next line is an empty one too
   texts.console += report_line(options);
   return bench_outcome(options, trade, older, texts, {0, "", "", put});
-}
-
-BenchTexts texts_of(const bench::Trade& trade, const Terminal& terminal) {
-  BenchTexts texts;
-  for (const bench::TimedTarget& target : trade.targets) {
-    const Table front = bench::front_table(trade, target.id);
-    texts.console += fmt::format("{}\n{}\n", target.title, write_console(front, Precision::report, terminal));
-    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(front));
-  }
-  const Table goals = bench::goals_table(trade);
-  texts.console += write_console(goals, Precision::report, terminal);
-  texts.markdown += "### Goals\n\n" + markdown_block(goals);
-  return texts;
-}
-
-BenchTexts texts_on_device(const bench::Trade& trade, const Terminal& terminal) {
-  const Table floors = device::floor_table(trade);
-  BenchTexts texts{
-      fmt::format("{}, driver {}\n{}\n", printable(trade.machine.device), printable(trade.machine.driver),
-                  write_console(floors, Precision::report, terminal)),
-      markdown_block(floors)};
-  for (const bench::TimedTarget& target : trade.targets) {
-    const Table front = device::device_front_table(trade, target.id);
-    texts.console += fmt::format("{}\n{}\n", target.title, write_console(front, Precision::report, terminal));
-    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(front));
-  }
-  return texts;
 }
 
 /// The forms of the catalogue, or of a study, on a graphics device.
@@ -177,18 +154,20 @@ Outcome bench_on_device(const BenchOptions& options, const Checkpoint& checkpoin
   const auto plan = options.quick ? device::quick_device_plan : device::full_device_plan;
   device::VulkanDevice for_times(device::choice_for_times(*options.device, plan)),
       for_values(device::choice_for_values(*options.device, forms));
-  const bench::Trade trade = device::measure_on_device(for_times, for_values, forms, plan,
-                                                       [&, show = bar(progress, "bench")](double share) {
-                                                         checkpoint();
-                                                         show(share);
-                                                       });
+  const bench::Trade trade =
+      device::measure_on_device(for_times, for_values, forms, plan, bar(checkpoint, progress, "bench"));
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = device::device_bench_files(trade, figures, bench::this_occasion().date);
   files.insert(files.end(), report.begin(), report.end());
   const auto put = folder.prepare(files, missing, options.force, checkpoint);
-  BenchTexts texts = texts_on_device(trade, options.terminal);
-  texts.console += news.out + report_line(options);
+  const Table floors = device::floor_table(trade);
+  BenchTexts texts = texts_of(trade, device::device_front_table, options.terminal);
+  texts.console =
+      fmt::format("{}, driver {}\n{}\n{}{}{}", printable(trade.machine.device),
+                  printable(trade.machine.driver), write_console(floors, Precision::report, options.terminal),
+                  texts.console, news.out, report_line(options));
+  texts.markdown = markdown_block(floors) + texts.markdown;
   return bench_outcome(options, trade, older, texts, {news.err.empty() ? 0 : 1, "", news.err, put});
 }
 
@@ -199,11 +178,10 @@ std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& 
   return {{accuracy_file, write_csv(forms::accuracy_table(checkpoint, show), Precision::report)}};
 }
 
-Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
-                      const Progress& progress) {
+Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (options.list_devices) return list_devices_command(options);
   if (options.probe) return probe_command(options, checkpoint);
-  if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
+  if (options.exhaustive) return exhaustive_command(options, checkpoint, progress);
   if (options.device) return bench_on_device(options, checkpoint, progress);
   if (options.study) return bench_study(options, checkpoint, progress);
   const auto older = older_run(options);
@@ -223,18 +201,18 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
                                              .widths = widths,
                                              .plan = options.quick ? bench::quick_plan : bench::full_plan,
                                              .has_little_memory = options.quick},
-                                            bench::now, [&, show = bar(progress, "bench")](double share) {
-                                              checkpoint();
-                                              show(share);
-                                            });
+                                            bench::now, bar(checkpoint, progress, "bench"));
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = bench::bench_files(trade, accuracy, figures);
   files.insert(files.end(), report.begin(), report.end());
   const auto put = folder.prepare(files, missing, options.force, checkpoint);
   const std::string err = widths_line(options) + news.err;
-  BenchTexts texts = texts_of(trade, options.terminal);
-  texts.console += news.out + report_line(options);
+  const Table goals = bench::goals_table(trade);
+  BenchTexts texts = texts_of(trade, bench::front_table, options.terminal);
+  texts.console +=
+      write_console(goals, Precision::report, options.terminal) + news.out + report_line(options);
+  texts.markdown += "### Goals\n\n" + markdown_block(goals);
   return bench_outcome(options, trade, older, texts, {news.err.empty() ? 0 : 1, "", err, put});
 }
 

@@ -6,13 +6,14 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
 #include "app/options/fit_arguments.hpp"
-#include "app/output/picture_file.hpp"
+#include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/better.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/figures/better_figure.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
@@ -40,7 +41,7 @@ std::vector<Setting> settings_to_compare(const NamedFit& named, const FitOptions
   const std::vector<Setting> all = settings_for(family, named.published, options);
   if (family.is_fresnel() && !options.target && !options.ior) return usual_surfaces();
   if (!family.has_exponent() || options.exponents) return all;
-  const auto [lowest, highest] = std::minmax_element(all.begin(), all.end());
+  const auto [lowest, highest] = std::ranges::minmax_element(all);
   return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
 }
 
@@ -50,7 +51,8 @@ std::string console_text(const Comparison& comparison, const Terminal& terminal,
   std::string text =
       fmt::format("{}: max abs error proven to a relative {:g}; the last printed digit may be off by one\n",
                   target_of(comparison), usual_width) +
-      write_console(comparison_table(comparison), Precision::report, terminal) + left_out_lines(comparison);
+      write_console(comparison_table(comparison), Precision::report, terminal) +
+      left_out_lines(comparison.left_out);
   if (in_half.empty()) return text;
   return text + "In half, every operation rounded, the largest error over every input:\n" +
          write_console(half_table(in_half), Precision::report, terminal);
@@ -67,13 +69,10 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
     }
     return json_text_of_each(array);
   }
-  std::vector<std::string> parts;
-  for (const Comparison& comparison : comparisons) {
-    parts.push_back(options.latex
-                        ? write_latex(comparison_table(comparison, options.digits), Precision::report)
-                        : console_text(comparison, options.terminal, checkpoint));
-  }
-  return fmt::format("{}", fmt::join(parts, "\n"));
+  return joined(comparisons, "\n", [&](const Comparison& comparison) {
+    return options.latex ? write_latex(comparison_table(comparison, options.digits), Precision::report)
+                         : console_text(comparison, options.terminal, checkpoint);
+  });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 std::vector<std::string> sources_in(const StudyFile& study) {
   std::vector<std::string> sources;
   for (const PublishedSet& set : study.published) {
-    if (std::find(sources.begin(), sources.end(), set.source) == sources.end()) sources.push_back(set.source);
+    if (std::ranges::find(sources, set.source) == sources.end()) sources.push_back(set.source);
   }
   return sources;
 }
@@ -23,7 +23,7 @@ Outcome cite_command(const CiteOptions& options) {
   std::string out = bibtex_of_shadefit(SHADEFIT_VERSION);
   if (!options.id) return {0, out, ""};
   std::vector<std::string> known = cited_ids();
-  const bool is_built_in = std::find(known.begin(), known.end(), *options.id) != known.end();
+  const bool is_built_in = std::ranges::find(known, *options.id) != known.end();
   for (const Source& source : sources_of(*options.id)) out += "\n" + bibtex(source);
   if (is_built_in) return {0, out, ""};
   const auto folders = study_folders(options.studies);

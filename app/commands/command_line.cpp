@@ -14,12 +14,10 @@
 #include <system_error>
 #include <utility>
 
-#include "app/commands/completion.hpp"
+#include "app/commands/commands.hpp"
 #include "app/commands/declare_commands.hpp"
-#include "app/commands/generated_file.hpp"
 #include "app/options/option_values.hpp"
 #include "app/terminal/interrupt.hpp"
-#include "app/terminal/time_limit.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/utf8.hpp"
@@ -140,7 +138,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   if (is_help && arguments.size() == 2 && !asks_for_help(arguments[1]))
     return {0, help_text(app, named_command(app, arguments[1])), ""};
   CLI::App& command = named_command(app, first);
-  if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) return {0, help_text(app, command), ""};
+  if (std::ranges::any_of(arguments, asks_for_help)) return {0, help_text(app, command), ""};
   require_values(command, arguments);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // in reverse, for CLI11

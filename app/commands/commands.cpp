@@ -9,7 +9,7 @@
 
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
-#include "app/output/output_folder.hpp"
+#include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
 #include "approx/ledger/catalogue.hpp"
@@ -18,8 +18,8 @@
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
-#include "reports/check/drift_findings.hpp"
-#include "reports/figures/plots.hpp"
+#include "reports/figures/figures.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
@@ -98,8 +98,8 @@ bool holds(std::string_view text, std::string_view part) {
 /// Whether a claim is about a family: about one of its published numbers, or by its name.
 bool is_on(std::string_view claim, std::string_view family) {
   return claim == family || claim.starts_with(std::string(family) + "-") ||
-         std::any_of(published_constants.begin(), published_constants.end(),
-                     [&](const Published& p) { return p.id == claim && p.family == family; });
+         std::ranges::any_of(published_constants,
+                             [&](const Published& p) { return p.id == claim && p.family == family; });
 }
 
 /// The claims that pass the filters. They are judged only if filtered by verdict.
@@ -114,8 +114,7 @@ std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpo
   }
   if (!options.verdict) return claims;
   const auto is_left = [&](std::string_view id) {
-    return std::any_of(claims.begin(), claims.end(),
-                       [&](const JudgedClaim& judged) { return judged.claim->id == id; });
+    return std::ranges::any_of(claims, [&](const JudgedClaim& judged) { return judged.claim->id == id; });
   };
   Fits fits;
   auto judged_claims = judge_claims(is_left, fits, checkpoint);
@@ -130,7 +129,7 @@ void require_known_filters(const ListOptions& options) {
   for (const Topic& topic : ledger) titles.emplace_back(topic.title);
   for (const FittableFamily& family : fittable_families()) families.emplace_back(family.info.id);
   if (options.family) require_known(*options.family, families, "family");
-  const bool is_topic = !options.topic || std::any_of(titles.begin(), titles.end(), [&](const auto& title) {
+  const bool is_topic = !options.topic || std::ranges::any_of(titles, [&](const auto& title) {
     return holds(title, *options.topic);
   });
   if (!is_topic)
@@ -140,7 +139,7 @@ void require_known_filters(const ListOptions& options) {
 
 /// A row for a study.
 void add_study(Table& list, const StudyFile& file) {
-  const std::string printed = file.published.empty() ? "-" : printed_text(file.published.front().values);
+  const std::string printed = file.published.empty() ? "-" : equations(file.published.front().values);
   std::vector<Cell> row{file.id, printed, "a study: " + file.title};
   if (list.columns.size() == 4)
     row.insert(row.begin() + 2, fmt::format("{} ~ {}", file.study.target, file.forms.front().formula));
@@ -175,9 +174,10 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
     throw UserError(fmt::format("--family '{}' has no claims: see 'shadefit better {}'", *options.family,
                                 *options.family));
   const bool is_narrow = !options.json && !options.csv && !options.latex;
-  const Formulas formulas = options.latex ? Formulas::marked : Formulas::plain;
-  Table list =
-      is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts, formulas);
+  Table list = claims_list(claims, with_verdicts,
+                           is_narrow       ? Statements::none
+                           : options.latex ? Statements::marked
+                                           : Statements::plain);
   const bool is_file = options.id && options.id->ends_with(".toml");
   if (is_file) {
     list.rows.clear();
@@ -196,7 +196,7 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
 Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress) {
   const auto claims = claim_ids();
-  const bool is_claim = std::find(claims.begin(), claims.end(), claim_of(options.id)) != claims.end();
+  const bool is_claim = std::ranges::find(claims, claim_of(options.id)) != claims.end();
   if (!is_claim) {
     if (const auto study = find_study(options.id, study_folders(options.studies)))
       return explain_study_command(*study, options, checkpoint, progress);
@@ -222,8 +222,8 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
   // Claims are shown only if requested by name; all of them would be too many.
   if (!options.only.empty() && !results.claims.empty())
-    parts.push_back(
-        write_console(claims_for_a_terminal(results.claims, true), Precision::report, options.terminal));
+    parts.push_back(write_console(claims_list(results.claims, true, Statements::none), Precision::report,
+                                  options.terminal));
   if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
   std::string out = fmt::format("{}", fmt::join(parts, "\n"));
   out += news.out;
@@ -237,14 +237,13 @@ Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const
     return outcome_of(drift_findings(drifts, cells, options.fail_above), options.format);
   const std::string baseline = printable(options.baseline);
   if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
-  Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
+  Table table{{"file", "row", "column", "baseline", "now", "effect"}};
   // These texts come from the baseline's files and may hold anything, so each becomes one short line.
   for (const Drift& d : drifts) {
     table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
   }
-  const auto failing = std::count_if(drifts.begin(), drifts.end(), [&](const Drift& drift) {
-    return is_failing(drift, options.fail_above);
-  });
+  const auto failing = std::ranges::count_if(
+      drifts, [&](const Drift& drift) { return is_failing(drift, options.fail_above); });
   const std::string above =
       options.fail_above ? fmt::format(", {} above {:g} %", failing, 100 * *options.fail_above) : "";
   return {failing == 0 ? 0 : 1,

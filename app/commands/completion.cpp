@@ -1,5 +1,3 @@
-#include "app/commands/completion.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/declare_commands.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "bench/forms/catalogue.hpp"
 #include "fit/run/results.hpp"

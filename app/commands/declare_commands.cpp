@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <type_traits>
 
 #include "app/commands/commands.hpp"
 #include "app/lint/lint_command.hpp"
@@ -10,7 +11,7 @@
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
 #include "app/shards/merge_command.hpp"
-#include "app/terminal/time_limit.hpp"
+#include "app/terminal/interrupt.hpp"
 
 namespace shadefit {
 namespace {
@@ -25,9 +26,9 @@ std::set<std::string> present_in(const CLI::App& command) {
 }
 
 /// Declares a command. Its options live as long as the command; `declare` adds them, `run` runs it.
-template <class Options, class Declare, class Run>
+template <class Options, class Run>
 void add_command(CLI::App& app, Call& call, const std::string& name, const std::string& help,
-                 const std::string& examples, Declare declare, Run run) {
+                 const std::string& examples, void (*declare)(CLI::App&, Options&), Run run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(name, help)->group("Commands");
   command->footer("Examples:\n" + examples);
@@ -40,7 +41,13 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->words; })
       options->words = words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--format",
                                            "--shade", "--device", "--json", "--time-limit"});
-    call.outcome = run(*options);
+    if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
+      call.outcome = run(*options, call.checkpoint, call.progress);
+    } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
+      call.outcome = run(*options, call.checkpoint);
+    } else {
+      call.outcome = run(*options);
+    }
   });
 }
 
@@ -77,106 +84,67 @@ void declare_commands(CLI::App& app, Call& call) {
   app.get_help_ptr()->description("print this help");
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION, "print the version");
   app.add_option("--completion", "completions of bash, zsh or fish, or the manual page")->group("");
-  add_command<ListOptions>(
-      app, call, "list", "every constant and claim: id, printed value, source",
+  const auto add = [&](const auto&... what) { add_command(app, call, what...); };
+  add("list", "every constant and claim: id, printed value, source",
       "  shadefit list --topic fresnel\n  shadefit list --verdict refuted\n  shadefit list acos\n",
-      declare_list, [&](const ListOptions& options) { return list_command(options, call.checkpoint); });
-  add_command<RunOptions>(
-      app, call, "run", "fit and check everything; write report.md, the tables and the plots",
+      declare_list, list_command);
+  add("run", "fit and check everything; write report.md, the tables and the plots",
       "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n"
       "  shadefit run --html --out gallery\n"
       "  shadefit run --html --only acos-linear exp2-cubic --shard 1/2 --out shards/1\n"
       "  shadefit run --html --only acos-linear exp2-cubic --shard 2/2 --out shards/2\n",
-      declare_run,
-      [&](const RunOptions& options) { return run_command(options, call.checkpoint, call.progress); });
-  add_command<MergeOptions>(
-      app, call, "merge", "unite the parts of work that was divided by --shard",
-      "  shadefit merge shards/1 shards/2 --out whole\n", declare_merge,
-      [&](const MergeOptions& options) { return merge_command(options, call.checkpoint); });
-  add_command<FitOptions>(
-      app, call, "fit", "fit a form, at one exponent or a sweep of them, and print its constants and errors",
+      declare_run, run_command);
+  add("merge", "unite the parts of work that was divided by --shard",
+      "  shadefit merge shards/1 shards/2 --out whole\n", declare_merge, merge_command);
+  add("fit", "fit a form, at one exponent or a sweep of them, and print its constants and errors",
       "  shadefit fit fresnel-quadratic\n"
       "  shadefit fit sg-offset --exponent 5,10:50:10 --csv\n"
       "  shadefit fit fresnel-quadratic --target exact --ior 1.5 --norm minimax\n"
       "  shadefit fit fresnel-one-term --round half\n"
       "  shadefit fit sg-offset --exponent 5 --plot lobe.svg\n"
       "  shadefit fit --target 'acos(x)' --form 'sqrt(1-x) (a + b x)' --over x=0:1\n",
-      declare_fit,
-      [&](const FitOptions& options) { return fit_command(options, call.checkpoint, call.progress); });
-  add_command<FitOptions>(
-      app, call, "better", "what is published for a target and what else there is: proven errors, costs",
+      declare_fit, fit_command);
+  add("better", "what is published for a target and what else there is: proven errors, costs",
       "  shadefit better fresnel-one-term --target exact --ior 1.5\n  shadefit better sg-offset --exponent 5\n",
-      declare_better,
-      [&](const FitOptions& options) { return better_command(options, call.checkpoint, call.progress); });
-  add_command<CertifyOptions>(
-      app, call, "certify", "bounds of a form's largest error, proven by interval arithmetic",
+      declare_better, better_command);
+  add("certify", "bounds of a form's largest error, proven by interval arithmetic",
       "  shadefit certify fresnel-quadratic\n"
       "  shadefit certify acos-linear\n"
       "  shadefit certify fresnel-quadratic --parameters a=-5.5,b=-7 --out pair.json\n"
       "  shadefit certify --target 'acos(x)' --form 'a sqrt(1-x)' --over x=0:1\n",
-      declare_certify, [&](const CertifyOptions& options) {
-        return certify_command(options, call.checkpoint, call.progress);
-      });
-  add_command<VerifyOptions>(
-      app, call, "verify", "check a certificate again, on the intervals that it names",
+      declare_certify, certify_command);
+  add("verify", "check a certificate again, on the intervals that it names",
       "  shadefit verify pair.json\n  shadefit verify pair.json --format junit\n", declare_verify,
-      [&](const VerifyOptions& options) { return verify_command(options, call.checkpoint, call.progress); });
-  add_command<EmitOptions>(app, call, "emit", "a form as shader code, generated from its formula",
-                           "  shadefit emit fresnel-quadratic --lang glsl\n"
-                           "  shadefit emit sg-offset-mean --lang hlsl --name lobe --out lobe.hlsl\n"
-                           "  shadefit emit --check lobe.hlsl\n"
-                           "  shadefit emit --check lobe.hlsl --format github\n",
-                           declare_emit, [&](const EmitOptions& options) {
-                             return emit_command(options, call.checkpoint, call.progress);
-                           });
-  add_command<SceneOptions>(
-      app, call, "scene", "what the materials of a scene need, and what can be skipped",
-      "  shadefit scene scene.mtl\n  shadefit scene scene.mtl --codes 0.5 --lang glsl\n",
-      [](CLI::App& scene, SceneOptions& options) {
-        declare_scene(scene, options);
-        add_force(scene, options.force);
-      },
-      [&](const SceneOptions& options) { return scene_command(options, call.checkpoint, call.progress); });
-  add_command<ExplainOptions>(app, call, "explain",
-                              "one claim: what it says, who says it, what is computed, and why",
-                              "  shadefit explain sg-offset-mean\n  shadefit explain half-banding --json\n",
-                              declare_explain, [&](const ExplainOptions& options) {
-                                return explain_command(options, call.checkpoint, call.progress);
-                              });
-  add_command<CiteOptions>(app, call, "cite",
-                           "BibTeX of shadefit, and of the sources of a constant or a study",
-                           "  shadefit cite\n  shadefit cite fresnel-quadratic\n  shadefit cite agx-septic\n",
-                           declare_cite, cite_command);
-  add_command<BenchOptions>(
-      app, call, "bench", "run time against error of every form, on this machine",
+      verify_command);
+  add("emit", "a form as shader code, generated from its formula",
+      "  shadefit emit fresnel-quadratic --lang glsl\n"
+      "  shadefit emit sg-offset-mean --lang hlsl --name lobe --out lobe.hlsl\n"
+      "  shadefit emit --check lobe.hlsl\n"
+      "  shadefit emit --check lobe.hlsl --format github\n",
+      declare_emit, emit_command);
+  add("scene", "what the materials of a scene need, and what can be skipped",
+      "  shadefit scene scene.mtl\n  shadefit scene scene.mtl --codes 0.5 --lang glsl\n", declare_scene,
+      scene_command);
+  add("explain", "one claim: what it says, who says it, what is computed, and why",
+      "  shadefit explain sg-offset-mean\n  shadefit explain half-banding --json\n", declare_explain,
+      explain_command);
+  add("cite", "BibTeX of shadefit, and of the sources of a constant or a study",
+      "  shadefit cite\n  shadefit cite fresnel-quadratic\n  shadefit cite agx-septic\n", declare_cite,
+      cite_command);
+  add("bench", "run time against error of every form, on this machine",
       "  shadefit bench --quick --only schlick --no-plots\n"
       "  shadefit bench --quick acos-linear --no-plots\n"
       "  shadefit bench --quick --only schlick --no-plots --compare old.json\n"
       "  shadefit bench --exhaustive schlick --range 0x3f000000:0x3f001000\n",
-      [](CLI::App& bench, BenchOptions& options) {
-        add_out(bench, options.out);
-        declare_bench(bench, options);
-        add_studies(bench, options.studies);
-        add_force(bench, options.force);
-      },
-      [&](const BenchOptions& options) {
-        return bench_command(options, SHADEFIT_VERSION, call.checkpoint, call.progress);
-      });
-  add_command<StressOptions>(
-      app, call, "stress",
-      "forms and fits where they are hardest: naive against robust in half, float and double",
-      "  shadefit stress --out stress\n", declare_stress,
-      [&](const StressOptions& options) { return stress_command(options, call.checkpoint, call.progress); });
-  add_command<CheckOptions>(
-      app, call, "check",
-      "recompute everything and compare it with the tables of an earlier run; writes nothing",
+      declare_bench, bench_command);
+  add("stress", "forms and fits where they are hardest: naive against robust in half, float and double",
+      "  shadefit stress --out stress\n", declare_stress, stress_command);
+  add("check", "recompute everything and compare it with the tables of an earlier run; writes nothing",
       "  shadefit check\n  shadefit check --baseline out\n  shadefit check --fail-above 1% --format sarif\n",
-      declare_check,
-      [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
-  add_command<LintOptions>(
-      app, call, "lint", "find published constants in source code, and what is wrong with them",
+      declare_check, check_command);
+  add("lint", "find published constants in source code, and what is wrong with them",
       "  shadefit lint shaders\n  shadefit lint src --format sarif --fail-on typo\n", declare_lint,
-      [&](const LintOptions& options) { return lint_command(options, call.checkpoint, call.progress); });
+      lint_command);
   add_time_limit(app, call);
   auto* help = app.add_subcommand("help", "the help of a command")->group("Commands");
   help->add_option("command", "one of the commands")->type_name("COMMAND");

@@ -4,22 +4,20 @@
 #include <cctype>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/generated_file.hpp"
-#include "app/options/chosen_constants.hpp"
+#include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
-#include "app/studies/study_subject.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
-#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/code/reserved_names.hpp"
 #include "reports/code/shader_code.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/rows/statement.hpp"
 
 /// The subcommand `emit`.
 namespace shadefit {
@@ -27,7 +25,7 @@ namespace {
 
 std::string parse_function_name(const std::string& text, Language language) {
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  const bool is_name = !text.empty() && std::all_of(text.begin(), text.end(), is_letter) &&
+  const bool is_name = !text.empty() && std::ranges::all_of(text, is_letter) &&
                        std::isdigit(static_cast<unsigned char>(text.front())) == 0;
   if (!is_name)
     throw UserError(fmt::format(
@@ -41,7 +39,7 @@ std::string parse_function_name(const std::string& text, Language language) {
 std::string function_name(std::string_view id, const EmitOptions& options) {
   if (options.name) return parse_function_name(*options.name, *options.language);
   std::string text(id);
-  std::replace(text.begin(), text.end(), '-', '_');
+  std::ranges::replace(text, '-', '_');
   return text;
 }
 
@@ -81,27 +79,23 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
   return proven;
 }
 
-/// A decimal text, or a fit's hexadecimal double, as a decimal.
-std::string as_decimal(const std::string& text) {
-  const auto hex = parse_hex(text);
-  return hex ? fmt::format("{}", *hex) : text;
-}
-
 /// The form with its constants; the exponent is one of them if it was requested.
 ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
-  ShaderFunction function{function_name(family.info.id, options), {"c"}, family.form()};
-  const bool is_of_one_exponent = options.fit.exponents.has_value();
-  if (family.has_exponent() && !is_of_one_exponent) function.arguments.emplace_back("k");
-  const auto value_of = [&](const std::string& variable) {
-    for (const auto& [name, value] : subject.parameters) {
-      if (name == variable) return Symbolic::number(as_decimal(value));
-    }
-    if (variable == "k" && is_of_one_exponent)
-      return Symbolic::number(fmt::format("{}", subject.setting.exponent));
-    return Symbolic::variable(variable);
-  };
-  function.result = evaluate<Symbolic>(family.form(), value_of);
-  return function;
+  Constants constants = subject.parameters;
+  std::vector<std::string> arguments{"c"};
+  if (options.fit.exponents) {
+    constants.emplace_back("k", fmt::format("{}", subject.setting.exponent));
+  } else if (family.has_exponent()) {
+    arguments.emplace_back("k");
+  }
+  return {function_name(family.info.id, options), arguments, with_constants(family.form(), constants)};
+}
+
+/// "a = -5.5, b = -7"
+std::string constants_text(const Constants& constants) {
+  return joined(constants, ", ", [](const auto& constant) {
+    return fmt::format("{} = {}", constant.first, decimal_of(constant.second));
+  });
 }
 
 /// The origin of the constants: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
@@ -136,15 +130,12 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
   const Subject& subject = proven.chosen.subject;
 
-  std::string constants;
-  for (const auto& [name, value] : subject.parameters)
-    constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", name, as_decimal(value));
   const std::vector<std::string> comment{
       std::string(generated_line),
       command_of(options),
       "",
       fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
-      fmt::format("{} ({})", constants, origin_of(named, proven.chosen, metric)),
+      fmt::format("{} ({})", constants_text(subject.parameters), origin_of(named, proven.chosen, metric)),
       fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
                   decimal_above(proven.upper, 4), subject.domain.lower, subject.domain.upper,
                   family.has_exponent() ? exponents_text(settings) : ""),
@@ -157,10 +148,9 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
 std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint) {
   const Study& study = subject.study;
   const ReadStudy read = read_formulas(study);
-  std::string ranges;
-  for (const StudyAxis& axis : read.axes)
-    ranges +=
-        fmt::format("{}{} in [{}, {}]", ranges.empty() ? "" : ", ", axis.variable, axis.lower, axis.upper);
+  const std::string ranges = joined(read.axes, ", ", [](const StudyAxis& axis) {
+    return fmt::format("{} in [{}, {}]", axis.variable, axis.lower, axis.upper);
+  });
   if (study.rows == nullptr && integral_depth(error_formula(read)) < 2) {
     try {
       // the fourth digit of a bound is rounded up
@@ -174,7 +164,7 @@ std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint
     }
   }
   std::vector<double> values;
-  for (const auto& [name, text] : subject.parameters) values.push_back(constant<double>(as_decimal(text)));
+  for (const auto& [name, text] : subject.parameters) values.push_back(constant<double>(decimal_of(text)));
   return fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.",
                      largest_error(read, values).magnitude, ranges);
 }
@@ -192,24 +182,14 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
   const ReadStudy read = read_formulas(study);
   if (integral_depth(read.form) > 0)
     throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
-  std::string constants;
-  for (const auto& [parameter, value] : subject.parameters)
-    constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", parameter, as_decimal(value));
-  ShaderFunction function{name, {}, read.form};
+  ShaderFunction function{name, {}, with_constants(read.form, subject.parameters)};
   for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
-  function.result =
-      evaluate<Symbolic>(read.form, [&, &parameters = subject.parameters](const std::string& variable) {
-        for (const auto& [parameter, value] : parameters) {
-          if (parameter == variable) return Symbolic::number(as_decimal(value));
-        }
-        return Symbolic::variable(variable);
-      });
   const std::vector<std::string> comment{
       std::string(generated_line),
       command_of(options),
       "",
       fmt::format("{} for {}", study.form, study.rows ? "the rows of " + study.rows->file : study.target),
-      fmt::format("{} ({})", constants, origin),
+      fmt::format("{} ({})", constants_text(subject.parameters), origin),
       error_line(subject, checkpoint),
   };
   const std::array functions{function};

@@ -6,12 +6,12 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
 #include "app/options/fit_arguments.hpp"
-#include "app/output/picture_file.hpp"
+#include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "fit/run/fit_extras.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/figures/fit_figure.hpp"
+#include "reports/figures/figures.hpp"
 #include "reports/rows/alternation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/proofs.hpp"
@@ -25,27 +25,16 @@ namespace {
 
 /// A mean or a limit of fits, requested by its own id.
 Outcome derived_command(const FittableFamily& family, const Published& published, const FitOptions& options) {
-  if (options.exponents) {
-    throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
-                                fmt::join(*options.exponents, ","), published.id));
-  }
-  if (options.certify) {
-    throw UserError(
-        fmt::format("--certify does not apply: {0} is a mean or a limit of fits; see 'shadefit certify {0}'",
-                    published.id));
-  }
-  if (options.round) {
-    throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
-                                to_text(*options.round), published.id));
-  }
-  if (options.plot)
-    throw UserError(fmt::format("--plot '{}' does not apply: {} is a mean or a limit of fits", *options.plot,
-                                published.id));
-  if (options.sensitivity) {
-    throw UserError(fmt::format(
-        "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
-        published.id));
-  }
+  const std::string what = " is a mean or a limit of fits";
+  const auto refuse = [&](const std::string& option, const std::string& why) {
+    throw UserError(fmt::format("{} does not apply: {}{}", option, published.id, why));
+  };
+  if (options.exponents)
+    refuse(fmt::format("--exponent '{}'", fmt::join(*options.exponents, ",")), " names its own exponents");
+  if (options.certify) refuse("--certify", fmt::format("{}; see 'shadefit certify {}'", what, published.id));
+  if (options.round) refuse(fmt::format("--round '{}'", to_text(*options.round)), what);
+  if (options.plot) refuse(fmt::format("--plot '{}'", *options.plot), what);
+  if (options.sensitivity) refuse("--sensitivity", what + ", which has no curve of its own");
   surface_for(family, options);  // refuses surface options: no such number belongs to a Fresnel form
   FitCache fits(family);
   const auto exponents = exponents_of(published);
@@ -74,40 +63,35 @@ std::string console_text(const Refit& refit, const Metric& metric, const Termina
   return text;
 }
 
-/// The proofs of each fit, if requested.
-std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint,
-                                const Progress& progress) {
-  std::vector<FitProof> proofs;
-  const Checkpoint next = stepping(checkpoint, progress, "certify", refit.fits.size());
-  for (const FitReport& report : refit.fits) {
-    if (!options.certify) break;
-    next();
-    proofs.push_back(prove_fit(report.fit, checkpoint));
-  }
-  return proofs;
-}
-
-/// The sensitivity of each fit, if requested; empty for a fit that did not converge.
-std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
-                                                         const Checkpoint& checkpoint,
-                                                         const Progress& progress) {
-  std::vector<std::optional<Sensitivity>> sensitivities;
-  const Checkpoint next = stepping(checkpoint, progress, "sensitivity", refit.fits.size());
-  for (const FitReport& report : refit.fits) {
-    if (!options.sensitivity) break;
-    next();
-    const bool is_answer = report.fit.status == Status::converged;
-    sensitivities.push_back(is_answer ? std::optional(sensitivity_of(report.fit, checkpoint)) : std::nullopt);
-  }
-  return sensitivities;
-}
-
 /// Requested additional results of each fit; else empty.
 struct FitExtras {
   std::vector<FitProof> proofs;
   std::vector<RoundedFit> rounded;
-  std::vector<std::optional<Sensitivity>> sensitivities;
+  std::vector<std::optional<Sensitivity>> sensitivities;  ///< empty for a fit that did not converge
 };
+
+FitExtras extras_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint,
+                    const Progress& progress) {
+  FitExtras extras;
+  const auto for_each_fit = [&](const char* what, const auto& use) {
+    const Checkpoint next = stepping(checkpoint, progress, what, refit.fits.size());
+    for (const FitReport& report : refit.fits) {
+      next();
+      use(report.fit);
+    }
+  };
+  if (options.certify)
+    for_each_fit("certify", [&](const Fit& fit) { extras.proofs.push_back(prove_fit(fit, checkpoint)); });
+  if (options.round)
+    extras.rounded = round_fits(refit, *options.round, !options.exponents,
+                                stepping(checkpoint, progress, "round", refit.fits.size()), checkpoint);
+  if (options.sensitivity)
+    for_each_fit("sensitivity", [&](const Fit& fit) {
+      extras.sensitivities.emplace_back();
+      if (fit.status == Status::converged) extras.sensitivities.back() = sensitivity_of(fit, checkpoint);
+    });
+  return extras;
+}
 
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
                       const FitExtras& extras, const Checkpoint& checkpoint) {
@@ -172,12 +156,7 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
                                    stepping(checkpoint, progress, "fit", settings.size())),
                     {}};
   require_feasible(refit);
-  const FitExtras extras{
-      proofs_of(refit, options, checkpoint, progress),
-      options.round ? round_fits(refit, *options.round, !options.exponents,
-                                 stepping(checkpoint, progress, "round", refit.fits.size()), checkpoint)
-                    : std::vector<RoundedFit>{},
-      sensitivities_of(refit, options, checkpoint, progress)};
+  const FitExtras extras = extras_of(refit, options, checkpoint, progress);
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
   const auto put = options.plot ? draw_picture(fit_figure(refit), *options.plot, options.force, checkpoint)
                                 : std::function<void()>();

@@ -1,4 +1,4 @@
-#include "app/commands/generated_file.hpp"
+#include "app/commands/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -51,11 +51,11 @@ std::optional<std::vector<std::string>> command_of_line(const std::string& line)
   if (!line.starts_with(line_prefix)) return {};
   std::vector<std::string> words = words_of(std::string_view(line).substr(line_prefix.size()));
   const bool is_generator =
-      !words.empty() && std::find(generators.begin(), generators.end(), words.front()) != generators.end();
+      !words.empty() && std::ranges::find(generators, words.front()) != generators.end();
   const auto is_forbidden = [](const std::string& word) {
     return word.starts_with("--check") || word.starts_with("--out");
   };
-  if (!is_generator || std::any_of(words.begin(), words.end(), is_forbidden)) return {};
+  if (!is_generator || std::ranges::any_of(words, is_forbidden)) return {};
   return words;
 }
 
@@ -77,21 +77,12 @@ int first_difference(const std::string& a, const std::string& b) {
 
 /// The check as findings: one, if a line differs.
 findings::FindingReport code_findings(const std::string& file, std::optional<int> line) {
-  findings::FindingReport report{
+  return one_check(
       "emit",
-      {{"outdated-code", "The code is not what shadefit generates now",
-        "Generate the file again by the command in its comment, or take back the change of the file."}},
-      {},
-      1,
-      "files"};
-  if (line) {
-    const std::string path = std::filesystem::path(file).lexically_normal().generic_string();
-    report.findings.push_back({.rule = report.rules.front().id,
-                               .message = fmt::format("line {} is not what shadefit generates now", *line),
-                               .place = findings::FindingPlace{.path = path, .line = *line},
-                               .fingerprint = fmt::format("{} {}", report.rules.front().id, path)});
-  }
-  return report;
+      {"outdated-code", "The code is not what shadefit generates now",
+       "Generate the file again by the command in its comment, or take back the change of the file."},
+      "files", line ? fmt::format("line {} is not what shadefit generates now", *line) : "",
+      {.path = std::filesystem::path(file).lexically_normal().generic_string(), .line = line.value_or(0)});
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
-#include "app/options/chosen_constants.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
@@ -28,14 +27,6 @@
 namespace shadefit {
 namespace {
 
-std::string not_reached(const Certificate& certificate, double width) {
-  const Setting& setting = certificate.subject.setting;
-  return fmt::format("shadefit: {}{}: the width {} was not reached: the largest error is in [{}, {}]\n",
-                     certificate.subject.family,
-                     setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : "", width,
-                     certificate.lower, certificate.upper);
-}
-
 /// Options of a fit that a proof of a family does not look at: they count with --form.
 void refuse_options_of_fits(const Metric& metric) {
   const Constraints& constraints = metric.constraints;
@@ -50,7 +41,7 @@ void refuse_options_of_fits(const Metric& metric) {
 }
 
 VerifiedCertificate verify_family(const std::string& text, const std::string& file, const ShareDone& done) {
-  const ReadCertificate read = read_certificate(text, file);
+  const auto read = read_certificate(text, file);
   const Certificate& certificate = read.certificate;
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
   if (!reason.empty()) return {reason, ""};
@@ -65,21 +56,10 @@ VerifiedCertificate verify_family(const std::string& text, const std::string& fi
 
 /// The check as findings: one, if the certificate is refused.
 findings::FindingReport certificate_findings(const std::string& file, const std::string& refused) {
-  findings::FindingReport report{
-      "verify",
-      {{"refused-certificate", "A certificate does not hold",
-        "Nothing is proven by it. Make it again: shadefit certify FORM --out FILE."}},
-      {},
-      1,
-      "certificates"};
-  if (!refused.empty()) {
-    const std::string& rule = report.rules.front().id;
-    report.findings.push_back({.rule = rule,
-                               .message = refused,
-                               .place = findings::FindingPlace{.path = file},
-                               .fingerprint = fmt::format("{} {}", rule, file)});
-  }
-  return report;
+  return one_check("verify",
+                   {"refused-certificate", "A certificate does not hold",
+                    "Nothing is proven by it. Make it again: shadefit certify FORM --out FILE."},
+                   "certificates", refused, {.path = file});
 }
 
 }  // namespace
@@ -110,7 +90,10 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     next();
     const ChosenSubject chosen = chosen_constants(options.parameters, named, setting, metric);
     forms.push_back({certify(chosen.subject, width, checkpoint), chosen.from});
-    if (!forms.back().certified.is_reached) err += not_reached(forms.back().certified.certificate, width);
+    const std::string at =
+        setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : std::string();
+    const auto& [certificate, is_reached, curve] = forms.back().certified;
+    if (!is_reached) err += not_reached_line(certificate.subject.family + at, certificate, width);
   }
   const Certificate& first = forms.front().certified.certificate;
   std::function<void()> put;
@@ -131,10 +114,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
 }
 
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const auto done = [&, show = bar(progress, "verify")](double share) {
-    checkpoint();
-    show(share);
-  };
+  const auto done = bar(checkpoint, progress, "verify");
   const std::string text = read_bounded(options.file, most_certificate_bytes);
   const auto [refused, statement] = is_study_certificate(text, options.file)
                                         ? verify_study(text, options.file, done)

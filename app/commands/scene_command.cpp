@@ -7,14 +7,15 @@
 #include <optional>
 #include <string_view>
 
-#include "app/commands/generated_file.hpp"
+#include "app/commands/commands.hpp"
 #include "app/commands/shade_scene.hpp"
 #include "app/options/scene_options.hpp"
-#include "app/output/output_folder.hpp"
+#include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/scene_code.hpp"
 #include "reports/code/scene_plan.hpp"
 #include "reports/io/files.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/writers.hpp"
 #include "scene/plan/plan.hpp"
@@ -78,10 +79,8 @@ std::vector<File> not_written(const SceneOptions& options, const scene::Plan& pl
 }
 
 std::string written(const std::string& directory, const std::vector<File>& files) {
-  std::vector<std::string> names;
-  for (const File& file : files) names.push_back(file.name);
   return fmt::format("\nPlan: {}: {}\n", printable(without_detours(directory).string()),
-                     fmt::join(names, ", "));
+                     joined(files, ", ", &File::name));
 }
 
 }  // namespace

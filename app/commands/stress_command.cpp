@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.hpp"
-#include "app/output/output_folder.hpp"
+#include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"
 #include "fit/stress/starts.hpp"
 #include "fit/stress/stress.hpp"

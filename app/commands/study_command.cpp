@@ -4,26 +4,19 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
-#include "app/output/picture_file.hpp"
-#include "app/studies/study_subject.hpp"
+#include "app/output/draw_figures.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/rows/fit_json.hpp"
+#include "reports/studies/study_extras.hpp"
 #include "reports/studies/study_figure.hpp"
 #include "reports/studies/study_proof_rows.hpp"
-#include "reports/studies/study_roundings.hpp"
 #include "reports/studies/study_rows.hpp"
-#include "reports/studies/study_sensitivities.hpp"
 #include "reports/table/writers.hpp"
 
 /// `fit` of a study.
 namespace shadefit {
 namespace {
-
-/// Options that studies do not have.
-void refuse_extras(const StudyFile& file, const FitOptions& options) {
-  if (options.certify && file.study.rows)
-    throw UserError("--certify does not go with --table: rows have no error between them");
-}
 
 std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   std::string lines;
@@ -97,32 +90,12 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
                                  : fmt::format("The best of {} starts.\n", first.starts));
 }
 
-}  // namespace
-
-std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
-                                        const Checkpoint& next) {
-  std::vector<FittedStudy> studies;
-  for (const Study& combination : combinations(file.study, file.given)) {
-    next();
-    Study study = combination;
-    study.form = file.forms.front().formula;
-    if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
-    StudyObjective objective = objective_of(study, file.norm, file.constraints);
-    objective.recompute = file.recompute;
-    studies.push_back({objective, read_study(study), fit_study(objective, checkpoint),
-                       judged_sets(file, objective, checkpoint, next)});
-  }
-  return studies;
-}
-
-namespace {
-
 /// The calls of `next` by `fitted_studies`.
 std::size_t steps_to_fit(const StudyFile& file) {
   std::size_t steps = 0;
   for (const Study& study : combinations(file.study, file.given)) {
-    const auto judged = std::count_if(file.published.begin(), file.published.end(),
-                                      [&](const PublishedSet& set) { return is_judged(set, file, study); });
+    const auto judged = std::ranges::count_if(
+        file.published, [&](const PublishedSet& set) { return is_judged(set, file, study); });
     steps += 1 + static_cast<std::size_t>(judged);
   }
   return steps;
@@ -176,9 +149,26 @@ std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, con
 
 }  // namespace
 
+std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
+                                        const Checkpoint& next) {
+  std::vector<FittedStudy> studies;
+  for (const Study& combination : combinations(file.study, file.given)) {
+    next();
+    Study study = combination;
+    study.form = file.forms.front().formula;
+    if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
+    StudyObjective objective = objective_of(study, file.norm, file.constraints);
+    objective.recompute = file.recompute;
+    studies.push_back({objective, read_study(study), fit_study(objective, checkpoint),
+                       judged_sets(file, objective, checkpoint, next)});
+  }
+  return studies;
+}
+
 Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                       const Progress& progress) {
-  refuse_extras(file, options);
+  if (options.certify && file.study.rows)
+    throw UserError("--certify does not go with --table: rows have no error between them");
   if (options.plot) require_picture(*options.plot);
   const auto studies =
       fitted_studies(file, checkpoint, stepping(checkpoint, progress, "fit", steps_to_fit(file)));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
@@ -30,6 +32,13 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
                              const Progress& progress);
 Outcome certify_study_command(const StudyFile& file, const CertifyOptions& options,
                               const Checkpoint& checkpoint, const Progress& progress);
+/// A line for a proof whose bounds, those of `certificate`, are wider than was asked for. `what` names it.
+template <class AnyCertificate>
+std::string not_reached_line(const std::string& what, const AnyCertificate& certificate, double width) {
+  return fmt::format("shadefit: {}: the width {} was not reached: the largest error is in [{}, {}]\n", what,
+                     width, certificate.lower, certificate.upper);
+}
+
 /// What `verify` found of a certificate.
 struct VerifiedCertificate {
   std::string refused;    ///< the reason; empty: it holds

@@ -2,7 +2,7 @@
 
 #include "app/commands/study_commands.hpp"
 #include "app/output/output_file.hpp"
-#include "app/studies/study_subject.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
@@ -12,17 +12,6 @@
 
 /// `certify` and `verify` of a study.
 namespace shadefit {
-namespace {
-
-std::string not_reached(const StudyCertificate& certificate, double width) {
-  const std::string given = given_text(certificate.subject.study);
-  return fmt::format(
-      "shadefit: the proof{}{}: the width {} was not reached: the largest error is in [{}, {}]\n",
-      given.empty() ? "" : " of ", given, width, certificate.lower, certificate.upper);
-}
-
-}  // namespace
-
 Outcome certify_study_command(const StudyFile& file, const CertifyOptions& options,
                               const Checkpoint& checkpoint, const Progress& progress) {
   if (file.study.rows != nullptr)
@@ -44,7 +33,10 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
     const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
     const double width = options.width.value_or(usual_study_width(study.over.size()));
     proofs.push_back({certify_study(chosen.subject, width, checkpoint), chosen.from});
-    if (!proofs.back().certified.is_reached) err += not_reached(proofs.back().certified.certificate, width);
+    const std::string given = given_text(study);
+    const auto& [certificate, is_reached] = proofs.back().certified;
+    if (!is_reached)
+      err += not_reached_line("the proof" + (given.empty() ? "" : " of " + given), certificate, width);
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   std::function<void()> put;
@@ -64,7 +56,7 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
 }
 
 VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done) {
-  const ReadStudyCertificate read = read_study_certificate(text, file);
+  const auto read = read_study_certificate(text, file);
   const StudyCertificate& certificate = read.certificate;
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
   if (!reason.empty()) return {reason, ""};

@@ -5,8 +5,7 @@
 
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
-#include "app/output/output_folder.hpp"
-#include "app/output/picture_file.hpp"
+#include "app/output/output_file.hpp"
 #include "app/studies/find_study.hpp"
 #include "app/terminal/progress.hpp"
 #include "fit/better/prove_contenders.hpp"
@@ -17,7 +16,9 @@
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/gallery/gallery_shard.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_figure.hpp"
@@ -31,7 +32,7 @@ namespace {
 std::string console_text(const StudyComparison& comparison, const Terminal& terminal) {
   return target_of(comparison) + "\n" +
          write_console(study_comparison_table(comparison), Precision::report, terminal) +
-         left_out_lines(comparison);
+         left_out_lines(comparison.left_out);
 }
 
 /// The variables and parameters of all contenders.
@@ -99,14 +100,12 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
     for (const StudyComparison& comparison : comparisons) array.push_back(study_comparison_json(comparison));
     return {0, json_text_of_each(array), "", put};
   }
-  std::vector<std::string> parts;
-  for (const StudyComparison& comparison : comparisons) {
-    const Table table = study_comparison_table(comparison);
-    parts.push_back(options.latex ? write_latex(with_digits(table, options.digits), Precision::report,
-                                                names_in(comparison))
-                                  : console_text(comparison, options.terminal));
-  }
-  return {0, fmt::format("{}", fmt::join(parts, "\n")), "", put};
+  const auto shown = [&](const StudyComparison& comparison) {
+    if (!options.latex) return console_text(comparison, options.terminal);
+    return write_latex(with_digits(study_comparison_table(comparison), options.digits), Precision::report,
+                       names_in(comparison));
+  };
+  return {0, joined(comparisons, "\n", shown), "", put};
 }
 
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -21,7 +22,7 @@ forms::Width parse_width(const std::string& option, const std::string& text) {
   const auto here = forms::widths_here();
   for (const auto& [word, width] : known) {
     if (word != text) continue;
-    if (std::find(here.begin(), here.end(), width) != here.end()) return width;
+    if (std::ranges::find(here, width) != here.end()) return width;
     throw UserError(fmt::format("{} '{}' is not of this machine: its widest registers are {}", option, text,
                                 forms::name(here.back())));
   }
@@ -66,6 +67,7 @@ void add_comparison(CLI::App& bench, BenchOptions& options, CLI::Option* exhaust
 }  // namespace
 
 void declare_bench(CLI::App& bench, BenchOptions& options) {
+  add_out(bench, options.out);
   auto* study = bench
                     .add_option("study", options.study,
                                 "the forms of a study or its file, NAME.toml (default: the built-in ones)")
@@ -136,6 +138,8 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                 bench::unit_floats.to))
       ->needs(exhaustive)
       ->excludes(half);
+  add_studies(bench, options.studies);
+  add_force(bench, options.force);
 }
 
 }  // namespace shadefit

@@ -12,10 +12,6 @@
 #include "bench/forms/kernel.hpp"
 #include "reports/table/writers.hpp"
 
-namespace CLI {
-class App;
-}
-
 /// The command `bench`.
 namespace shadefit {
 
@@ -48,9 +44,8 @@ struct BenchOptions {
 /// Declares its options.
 void declare_bench(CLI::App& bench, BenchOptions& options);
 
-/// Measures times, or with --exhaustive compares every float. `version` is the version of this program.
-Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
-                      const Progress& progress);
+/// Measures times, or with --exhaustive compares every float.
+Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 /// `bench --list-devices`: a line for each device.
 Outcome list_devices_command(const BenchOptions& options);
@@ -59,7 +54,7 @@ Outcome list_devices_command(const BenchOptions& options);
 Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint);
 
 /// `bench --exhaustive`.
-Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
-                           const Checkpoint& checkpoint, const Progress& progress);
+Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
+                           const Progress& progress);
 
 }  // namespace shadefit

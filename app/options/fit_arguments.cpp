@@ -14,16 +14,17 @@
 #include "fit/least_squares/weight.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/run/results.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {
 
 const Published* find_published(const std::string& id) {
-  const auto found = std::find_if(published_constants.begin(), published_constants.end(),
-                                  [&](const Published& p) { return p.id == id; });
+  const auto found = std::ranges::find(published_constants, id, &Published::id);
   return found == published_constants.end() ? nullptr : &*found;
 }
 
@@ -55,7 +56,7 @@ void check_held(const std::vector<Held>& held, const FittableFamily& family) {
   const auto text = [](const Held& h) { return h.parameter + "=" + to_text(h.value); };
   const auto& known = family.parameters;
   for (auto h = held.begin(); h != held.end(); ++h) {
-    if (std::find(known.begin(), known.end(), h->parameter) == known.end())
+    if (std::ranges::find(known, h->parameter) == known.end())
       throw UserError(fmt::format("--fix '{}': {} has no parameter '{}', it must be one of {}", text(*h),
                                   family.info.id, h->parameter, fmt::join(known, ", ")));
     if (std::any_of(held.begin(), h, [&](const Held& other) { return other.parameter == h->parameter; }))
@@ -89,6 +90,19 @@ Domain domain_that_counts(const FittableFamily& family, const Setting& setting, 
         "is below any double",
         family.info.id, setting.exponent, to_text(metric.domain)));
   return *domain;
+}
+
+/// The published number for a parameter of a fit: from the requested record, else the first number that is a
+/// best fit in that setting.
+const Published* published_for(const FittableFamily& family, std::string_view parameter,
+                               const Setting& setting, const Published* asked) {
+  if (asked != nullptr && asked->parameter == parameter) return asked;
+  for (const Published& p : published_constants) {
+    if (p.family != family.info.id || p.parameter != parameter || p.statement != Statement::best_fit)
+      continue;
+    if (!family.has_exponent() || exponents_of(p) == std::vector{setting.exponent}) return &p;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -145,7 +159,7 @@ Metric metric_for(const FitOptions& options, const FittableFamily& family,
                   std::span<const Setting> settings) {
   Metric metric = options.metric;
   auto& places = metric.constraints.exact_at;
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   places.erase(std::unique(places.begin(), places.end()), places.end());
   const Constraints& constraints = metric.constraints;
   if (!metric.weight.empty()) check_weight(metric.weight, metric.domain);
@@ -178,8 +192,8 @@ std::vector<std::string> ids_with_a_fit() {
 }
 
 NamedFit find_fit(const std::string& id) {
-  const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
-                                            [&](const Normalisation& n) { return n.id == id; });
+  const bool is_normalisation =
+      std::ranges::find(normalisations, id, &Normalisation::id) != normalisations.end();
   if (is_normalisation) {
     throw UserError(fmt::format(
         "'{0}' is a normalisation constant, an integral; it is not fitted: see 'shadefit run --only {0}'",
@@ -201,6 +215,30 @@ std::string headline(const Metric& metric) {
       metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
   return is_plain ? describe(metric) + " measure, least squares"
                   : "least squares, measure: " + describe(metric);
+}
+
+ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
+                               const Setting& setting, const Metric& metric) {
+  const FittableFamily& family = *named.family;
+  Subject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
+  if (parameters) {
+    const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
+    subject.parameters = in_order(*parameters, known);
+    return {subject, "given"};
+  }
+  for (const std::string_view parameter : family.parameters) {
+    if (const Published* p = published_for(family, parameter, setting, named.published))
+      subject.parameters.emplace_back(parameter, p->printed);
+  }
+  if (subject.parameters.size() == family.parameters.size()) return {subject, "published"};
+  const Fit fit = family.fit(setting, metric);
+  if (fit.status != Status::converged) {
+    throw UserError(fmt::format(
+        "{}{}: nothing was published for it and its fit did not converge{}: give --parameters",
+        family.info.id, family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : "",
+        fit.why.empty() ? "" : fmt::format(" ({})", fit.why)));
+  }
+  return {subject_of(fit, metric.error), "fitted"};
 }
 
 }  // namespace shadefit

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options/options.hpp"
 #include "approx/records/record.hpp"
 #include "fit/fit.hpp"
+#include "fit/proof/certificate.hpp"
 
 /// Interprets the options of `fit`, `certify` and similar commands for a family. Each function throws
 /// UserError with one line that names the option, its value and the rule.
@@ -41,5 +44,16 @@ Metric metric_for(const FitOptions& options, const FittableFamily& family, std::
 
 /// The metric as text: "cosine measure, least squares".
 std::string headline(const Metric& metric);
+
+/// The constants of a form that `certify` and `emit` use.
+struct ChosenSubject {
+  Subject subject;
+  std::string_view from;  ///< the origin of its values: given, published or fitted
+};
+
+/// The given `parameters`; without them the parameters published for that setting; if one of these is
+/// missing, those of a fit. Throws UserError if the fit did not converge.
+ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
+                               const Setting& setting, const Metric& metric);
 
 }  // namespace shadefit

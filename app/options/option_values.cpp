@@ -4,6 +4,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "app/options/finding_format.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/support/decimal.hpp"
@@ -159,7 +160,7 @@ std::vector<std::string> words_of(const CLI::App& command, const std::vector<std
   std::vector<std::string> words{command.get_name()};
   for (const CLI::Option* option : command.get_options()) {
     const std::string option_name = option->get_name();
-    if (std::find(without.begin(), without.end(), option_name) != without.end()) continue;
+    if (std::ranges::find(without, option_name) != without.end()) continue;
     for (const std::string& value : option->results()) {
       if (value == option->get_default_str()) continue;
       if (!option->get_positional()) words.push_back(option_name);
@@ -167,6 +168,30 @@ std::vector<std::string> words_of(const CLI::App& command, const std::vector<std
     }
   }
   return words;
+}
+
+CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool has_places) {
+  auto choices = by_name(findings::finding_formats);
+  std::erase_if(choices,
+                [&](const auto& choice) { return choice.second == FindingFormat::sarif && !has_places; });
+  return add_choice(command, "--format", format, choices,
+                    "of what is printed, for people, dashboards and code hosts");
+}
+
+findings::FindingReport one_check(const std::string& command, const findings::FindingRule& rule,
+                                  const std::string& checked_words, const std::string& fault,
+                                  const findings::FindingPlace& place) {
+  findings::FindingReport report{command, {rule}, {}, 1, checked_words};
+  if (!fault.empty())
+    report.findings.push_back({.rule = rule.id,
+                               .message = fault,
+                               .place = place,
+                               .fingerprint = fmt::format("{} {}", rule.id, place.path)});
+  return report;
+}
+
+Outcome outcome_of(const findings::FindingReport& report, FindingFormat format) {
+  return {findings::passes(report) ? 0 : 1, findings::write_findings(report, format), ""};
 }
 
 }  // namespace shadefit

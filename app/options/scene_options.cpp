@@ -1,5 +1,6 @@
 #include "app/options/scene_options.hpp"
 
+#include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
 
 namespace shadefit {
@@ -77,6 +78,7 @@ void declare_scene(CLI::App& scene, SceneOptions& options) {
       "the directory to write the plan to (scene.md, .csv, .json) and its code (scene.glsl, .hlsl, .hpp)")
       ->excludes(json)
       ->excludes(language);
+  add_force(scene, options.force);
 }
 
 }  // namespace shadefit

@@ -50,7 +50,7 @@ StudyRange parse_over(const std::string& option, const std::string& text) {
   constexpr const char* rule = "NAME=A:B or NAME=A:B:DENSITY";
   const auto [name, range] = halves(option, text, rule);
   const auto parts = parts_of(range, ':', 3);
-  if (parts.size() < 2 || std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); }))
+  if (parts.size() < 2 || std::ranges::any_of(parts, [](const auto& p) { return p.empty(); }))
     throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
   return {name, parts[0], parts[1], parts.size() == 3 ? density_of(parts[2], name) : "1"};
 }
@@ -86,7 +86,7 @@ StudyDefinition parse_let(const std::string& option, const std::string& text) {
 
 std::vector<std::string> parse_names(const std::string& option, const std::string& text) {
   const std::vector<std::string> names = parts_of(text, ',', text.size() + 1);
-  if (std::any_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); }))
+  if (std::ranges::any_of(names, [](const std::string& name) { return name.empty(); }))
     throw UserError(fmt::format("{} '{}' is not a list of names separated by commas", option, text));
   return names;
 }

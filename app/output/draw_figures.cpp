@@ -3,12 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
-#include "reports/figures/plots.hpp"
+#include "app/output/output_file.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/figures/figures.hpp"
 #include "reports/io/gnuplot.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {
+namespace {
+
+constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};
+
+}  // namespace
 
 DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
                           const Checkpoint& checkpoint) {
@@ -22,8 +31,7 @@ DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
     const Pictures pictures = draw_pictures(*gnuplot, drawn.files, names, checkpoint);
     drawn.files.insert(drawn.files.end(), pictures.files.begin(), pictures.files.end());
     std::erase_if(drawn.missing, [&](const File& missing) {
-      return std::any_of(pictures.files.begin(), pictures.files.end(),
-                         [&](const File& file) { return file.name == missing.name; });
+      return std::ranges::find(pictures.files, missing.name, &File::name) != pictures.files.end();
     });
     for (const FailedPlot& failed : pictures.failed) {
       drawn.news.err +=
@@ -37,6 +45,26 @@ DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
         fmt::format("\nPlots skipped: gnuplot was not found; their data and scripts are in {}\n", directory);
   }
   return drawn;
+}
+
+void require_picture(const std::string& file) {
+  const bool is_known =
+      std::ranges::any_of(endings, [&](std::string_view ending) { return file.ends_with(ending); });
+  if (!is_known) throw UserError(fmt::format("--plot '{}' must end with .svg, .pdf or .png", file));
+  if (!find_gnuplot())
+    throw UserError(fmt::format("--plot '{}' needs gnuplot: install the package gnuplot-nox", file));
+}
+
+std::function<void()> draw_picture(const Figure& figure, const std::string& file, bool force,
+                                   const Checkpoint& checkpoint) {
+  require_picture(file);
+  const OutputFile output(file, "the picture");
+  const std::string ending = file.substr(file.size() - endings.front().size());
+  const std::string name = figure.name + (ending == ".svg" ? "" : ending);
+  const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({figure}), {name}, checkpoint);
+  if (!pictures.failed.empty())
+    throw UserError(fmt::format("--plot '{}' was not drawn: {}", file, pictures.failed.front().complaint));
+  return output.prepare(pictures.files.front().content, force, checkpoint);
 }
 
 }  // namespace shadefit

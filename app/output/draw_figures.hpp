@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,13 @@ struct DrawnFigures {
 /// Draws the figures and keeps in `figures` those that have a picture. It only names the directory `out` and
 /// writes nothing there.
 DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out, const Checkpoint& checkpoint);
+
+/// Throws UserError unless the name of a picture ends with .svg, .pdf or .png, or where gnuplot is missing.
+void require_picture(const std::string& file);
+
+/// Draws the figure. The returned call writes it to `file`. Throws UserError where gnuplot fails or the file
+/// cannot be written.
+std::function<void()> draw_picture(const Figure& figure, const std::string& file, bool force,
+                                   const Checkpoint& checkpoint);
 
 }  // namespace shadefit

@@ -1,4 +1,4 @@
-#include "app/shards/every_form.hpp"
+#include "app/shards/sweeps.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +14,7 @@
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/writers.hpp"
@@ -59,10 +60,9 @@ std::vector<Cell> row_of(const SweptForm& form, const bench::FloatErrors& found)
 }
 
 Table table_of(const forms::Catalogue& catalogue, const std::vector<bench::Sweep>& sweeps) {
-  Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
-              {}};
+  Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"}};
   for (const SweptForm& form : all_of_one_cosine(catalogue)) {
-    const auto sweep = std::find_if(sweeps.begin(), sweeps.end(), [&](const bench::Sweep& other) {
+    const auto sweep = std::ranges::find_if(sweeps, [&](const bench::Sweep& other) {
       return other.identity.form == form.form->id && other.identity.set == set_of(form);
     });
     if (sweep != sweeps.end()) table.rows.push_back(row_of(form, sweep->found));
@@ -87,7 +87,7 @@ std::string finished(const FormsOn& place, const forms::Catalogue& catalogue, co
 }  // namespace
 
 Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& catalogue,
-                         const std::string& version, const Checkpoint& checkpoint, const Progress& progress) {
+                         const Checkpoint& checkpoint, const Progress& progress) {
   if (options.constants)
     throw UserError("--exhaustive 'all' does not apply with --constants: it takes every set of every form");
   std::vector<FormsOn> places = places_of(options, checkpoint);
@@ -101,7 +101,7 @@ Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& ca
         SweptForm form = forms[i];
         form.exp2_degree = options.exp2_degree;
         form.width = options.width.value_or(form.width);
-        together.push_back(opened(options, place.out, catalogue, form, place.on, version));
+        together.push_back(opened(options, place.out, catalogue, form, place.on));
       }
     }
     std::vector<bench::FloatSubject*> subjects;
@@ -113,9 +113,8 @@ Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& ca
       beyond += together[i].sweep.found.beyond;
     }
   }
-  std::vector<std::string> texts;
-  for (const FormsOn& place : places) texts.push_back(finished(place, catalogue, options));
-  return {beyond == 0 ? 0 : 1, fmt::format("{}", fmt::join(texts, "\n")), ""};
+  const auto finish = [&](const FormsOn& place) { return finished(place, catalogue, options); };
+  return {beyond == 0 ? 0 : 1, joined(places, "\n", finish), ""};
 }
 
 File errors_file(const forms::Catalogue& catalogue, const std::vector<bench::Sweep>& sweeps) {

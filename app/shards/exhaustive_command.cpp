@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <optional>
 #include <vector>
 
 #include "app/options/bench_options.hpp"
-#include "app/shards/every_form.hpp"
-#include "app/shards/halves_command.hpp"
 #include "app/shards/kept_sweep.hpp"
-#include "app/shards/ulps_table.hpp"
+#include "app/shards/sweeps.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/forms/catalogue.hpp"
 #include "fit/support/hex_float.hpp"
@@ -57,11 +56,11 @@ std::string result_text(const Sweep& sweep, const SweptForm& chosen, const Termi
   return text + write_console(ulps_table(found.ulps, found.count(), "floats"), Precision::report, terminal);
 }
 
-Outcome sweep_one(const BenchOptions& options, const forms::Catalogue& catalogue, const std::string& version,
+Outcome sweep_one(const BenchOptions& options, const forms::Catalogue& catalogue,
                   const Checkpoint& checkpoint, const Progress& progress) {
   const SweptForm chosen = chosen_by(catalogue, options);
   const auto on = measured_device(options.device, chosen.form->function, checkpoint);
-  std::vector<KeptSweep> all{opened(options, options.out, catalogue, chosen, on, version)};
+  std::vector<KeptSweep> all{opened(options, options.out, catalogue, chosen, on)};
   if (auto interrupted = sweep_and_keep(all, checkpoint, progress)) return *interrupted;
   const Sweep& sweep = all.front().sweep;
   const std::string text = options.format == FindingFormat::json
@@ -73,8 +72,21 @@ Outcome sweep_one(const BenchOptions& options, const forms::Catalogue& catalogue
 
 }  // namespace
 
-Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
-                           const Checkpoint& checkpoint, const Progress& progress) {
+Table ulps_table(std::span<const std::uint64_t> ulps, std::uint64_t count, const std::string& numbers) {
+  Table table{{"ulps", numbers, "share"}};
+  std::size_t last = ulps.size();
+  while (last > 1 && ulps[last - 1] == 0) --last;
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::uint64_t low = i == 0 ? 0 : std::uint64_t{1} << (i - 1), high = (std::uint64_t{1} << i) - 1;
+    table.rows.push_back(
+        {low >= high ? fmt::to_string(low) : fmt::format("{} .. {}", low, high), static_cast<long>(ulps[i]),
+         Number{static_cast<double>(ulps[i]) / static_cast<double>(std::max<std::uint64_t>(count, 1)), 4}});
+  }
+  return table;
+}
+
+Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
+                           const Progress& progress) {
   require_directory(options.out);
   if (options.half) return halves_command(options, checkpoint, progress);
   const forms::Catalogue catalogue = forms::catalogue();
@@ -83,7 +95,7 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
     throw UserError(fmt::format("--all-devices does not apply with --exhaustive '{}': it must be all",
                                 *options.exhaustive));
   const auto sweep = is_all ? sweep_every_form : sweep_one;
-  return sweep(options, catalogue, version, checkpoint, progress);
+  return sweep(options, catalogue, checkpoint, progress);
 }
 
 }  // namespace shadefit

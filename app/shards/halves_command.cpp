@@ -1,11 +1,10 @@
-#include "app/shards/halves_command.hpp"
+#include "app/shards/sweeps.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "app/shards/swept_form.hpp"
-#include "app/shards/ulps_table.hpp"
 #include "bench/device/form_functions.hpp"
 #include "bench/device/half_errors.hpp"
 #include "bench/timing/timing.hpp"
@@ -50,8 +49,7 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
       is_all ? all_of_one_cosine(catalogue) : std::vector{chosen_by(catalogue, options)};
   device::VulkanDevice vulkan({.place = *options.device});
   Table table{{"form", "constants", "halves", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond",
-               "without bound"},
-              {}};
+               "without bound"}};
   std::string beyond, histogram;
   const double start = bench::now().real;
   for (const SweptForm& form : swept) {

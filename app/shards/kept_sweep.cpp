@@ -20,9 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using bench::Sweep;
 
-bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& options,
-                                 const std::string& version) {
-  return {version,
+bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& options) {
+  return {SHADEFIT_VERSION,
           std::string(chosen.form->id),
           chosen.exp2_degree,
           set_of(chosen),
@@ -77,10 +76,9 @@ void KeptSweep::keep() const {
 }
 
 KeptSweep opened(const BenchOptions& options, const fs::path& out, const forms::Catalogue& catalogue,
-                 const SweptForm& chosen, const std::optional<MeasuredDevice>& on,
-                 const std::string& version) {
+                 const SweptForm& chosen, const std::optional<MeasuredDevice>& on) {
   KeptSweep kept{chosen, {}, {}, subject_of(catalogue, chosen)};
-  bench::SweepIdentity identity = identity_of(chosen, options, version);
+  bench::SweepIdentity identity = identity_of(chosen, options);
   if (on) put_on_device(kept.subject, identity, chosen, *on);
   const bool is_one_part = options.shard && *options.exhaustive != every_form;
   kept.path = without_detours(out) / (is_one_part ? shard_file : bench::file_of(identity));

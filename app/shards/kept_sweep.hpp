@@ -38,7 +38,7 @@ struct KeptSweep {
 /// A new sweep, or the saved one in the directory `out`. Throws UserError if the saved one is of other work.
 KeptSweep opened(const BenchOptions& options, const std::filesystem::path& out,
                  const forms::Catalogue& catalogue, const SweptForm& chosen,
-                 const std::optional<MeasuredDevice>& on, const std::string& version);
+                 const std::optional<MeasuredDevice>& on);
 
 /// Sweeps the remaining floats of forms of one target, on one device or several. Saves the states now and
 /// then, and at the end; so too when a signal ends the sweeps, which is the outcome then.

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/output/output_folder.hpp"
-#include "app/shards/every_form.hpp"
+#include "app/output/output_file.hpp"
+#include "app/shards/sweeps.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "fit/support/json_document.hpp"
 #include "fit/support/user_error.hpp"
@@ -43,7 +43,7 @@ std::vector<std::string> sweeps_in(const fs::path& given) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with("exhaustive-") && name.ends_with(".json")) names.push_back(name);
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

@@ -86,7 +86,7 @@ std::vector<float> in_float(const std::vector<double>& numbers) {
 
 bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& chosen) {
   const auto form = find_kernel(forms::compiled_forms(chosen.width), chosen.form->id, chosen.exp2_degree);
-  const auto exact = std::find_if(catalogue.forms.begin(), catalogue.forms.end(), [&](const auto& other) {
+  const auto exact = std::ranges::find_if(catalogue.forms, [&](const auto& other) {
     return other.target == chosen.target->id;  // the first form of a target is the target itself
   });
   const auto truth = find_kernel(forms::compiled_forms(forms::Width::scalar), exact->id, 0);

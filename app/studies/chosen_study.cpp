@@ -6,7 +6,6 @@
 
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
-#include "app/studies/load_rows.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
@@ -16,7 +15,7 @@ namespace {
 
 bool is_built_in(const std::string& id) {
   const std::vector<std::string> known = known_ids();
-  return std::find(known.begin(), known.end(), id) != known.end();
+  return std::ranges::find(known, id) != known.end();
 }
 
 /// A built-in family has no formulas.
@@ -57,7 +56,7 @@ void refuse_others(const FitOptions& options, const std::string& with) {
 void change_given(StudyFile& file, const StudyOptions& options) {
   for (const auto& [constant, values] : options.given) {
     const auto same = [&, &name = constant](const auto& given) { return given.first == name; };
-    const auto found = std::find_if(file.given.begin(), file.given.end(), same);
+    const auto found = std::ranges::find_if(file.given, same);
     if (found == file.given.end()) {
       file.given.emplace_back(constant, values);
     } else if (options.form && file.id.empty()) {
@@ -70,13 +69,13 @@ void change_given(StudyFile& file, const StudyOptions& options) {
 
 /// Whether a study needs a constant: without it, it cannot be read, or has a parameter more.
 bool uses(const StudyFile& file, const std::string& constant) {
-  return std::any_of(file.forms.begin(), file.forms.end(), [&](const StudyForm& form) {
+  return std::ranges::any_of(file.forms, [&](const StudyForm& form) {
     Study without = combinations(file.study, file.given).front();
     without.form = form.formula;
     without.given.erase(constant);
     try {
       const std::vector<std::string> parameters = read_formulas(without).parameters;
-      return std::find(parameters.begin(), parameters.end(), constant) != parameters.end();
+      return std::ranges::find(parameters, constant) != parameters.end();
     } catch (const UserError&) {
       return true;
     }
@@ -92,8 +91,7 @@ void require_use(const StudyFile& file, const StudyOptions& options) {
 
 /// --form names a form of the study, or is a formula of its own.
 void change_form(StudyFile& file, const std::string& form) {
-  const auto found = std::find_if(file.forms.begin(), file.forms.end(),
-                                  [&](const StudyForm& known) { return known.id == form; });
+  const auto found = std::ranges::find(file.forms, form, &StudyForm::id);
   file.forms = {found == file.forms.end() ? StudyForm{"form", form} : *found};
   std::erase_if(file.published, [&](const PublishedSet& set) { return set.form != file.forms.front().id; });
 }

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "app/options/options.hpp"
+#include "fit/study/solve_study.hpp"
 #include "fit/study/study_file.hpp"
+#include "fit/study_proof/study_certificate.hpp"
+#include "fit/support/checkpoint.hpp"
 
 namespace shadefit {
 
@@ -11,5 +16,23 @@ namespace shadefit {
 /// the id of a study, changed by the options that are present. Empty if the id is built in. Throws UserError
 /// for an unknown id and for options that belong to built-in families.
 std::optional<StudyFile> chosen_study(const FitOptions& options);
+
+/// The constants of a study that `certify` and `emit` use.
+struct ChosenStudySubject {
+  StudySubject subject;   ///< of the first form
+  std::string_view from;  ///< the origin of its values: given, published or fitted
+  std::string origin;     ///< in more words: the source, or how they were fitted
+};
+
+/// The given `parameters`; without them the first set that was published for the form, unless an option of a
+/// fit is present; else those of a fit. `study` is one of the file's combinations. Throws UserError for
+/// constants that are not those of the form, for an option of a fit next to given constants, and if the fit
+/// did not converge.
+ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
+                                        const std::optional<Parameters>& parameters,
+                                        const FitOptions& options, const Checkpoint& checkpoint);
+
+/// The fitted and the held constants of a fit, as a proof takes them.
+StudySubject fitted_subject(const Study& study, const StudyFit& fit);
 
 }  // namespace shadefit

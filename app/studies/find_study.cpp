@@ -9,8 +9,6 @@
 #include <sstream>
 #include <utility>
 
-#include "app/studies/load_rows.hpp"
-#include "app/studies/read_study_file.hpp"
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
@@ -111,8 +109,20 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
       if (path.extension() == ".toml" && seen.insert(path.stem().string()).second) files.push_back(path);
     }
   }
-  std::sort(files.begin(), files.end(), before);
+  std::ranges::sort(files, before);
   return files;
+}
+
+void load_rows(StudyFile& file, const fs::path& table) {
+  std::vector<std::string> variables;
+  for (const StudyRange& range : file.study.over) variables.push_back(range.variable);
+  const std::string text = read_bounded(table, most_row_bytes);
+  file.study.rows = std::make_shared<const MeasuredRows>(read_measured_rows(text, table.string(), variables));
+  if (file.study.rows->sigma.empty() || file.has_weight) return;
+  if (file.study.error == Error::relative)
+    throw UserError(
+        "--error 'relative' needs a --weight, as the table has sigma: 1/sigma weights errors that are absolute");
+  file.study.weight = "1/sigma";
 }
 
 StudyFile load_study(const fs::path& path) {
@@ -153,10 +163,9 @@ std::vector<fs::path> chosen_studies(const std::vector<std::string>& names,
       continue;
     }
     require_known(name, ids_in(all), "study");
-    chosen.push_back(
-        *std::find_if(all.begin(), all.end(), [&](const fs::path& p) { return p.stem() == name; }));
+    chosen.push_back(*std::ranges::find_if(all, [&](const fs::path& p) { return p.stem() == name; }));
   }
-  std::stable_sort(chosen.begin(), chosen.end(), before);
+  std::ranges::stable_sort(chosen, before);
   const auto are_same = [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); };
   chosen.erase(std::unique(chosen.begin(), chosen.end(), are_same), chosen.end());
   return chosen;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,8 +38,22 @@ std::string study_digest(const std::filesystem::path& path, const StudyFile& stu
 /// Reads a study from its file. Throws UserError like `read_study_file`.
 StudyFile load_study(const std::filesystem::path& path);
 
+/// Reads the measured rows of a study from a file of comma-separated values. Where they have `sigma` and the
+/// study has no weight, the weight becomes 1/sigma. Throws UserError like `read_measured_rows`, and for a
+/// relative error with such a weight.
+void load_rows(StudyFile& file, const std::filesystem::path& table);
+
 /// A fault of a formula in a file: its line and key instead of an option, ", line 6: target: formula
 /// .."; the key alone, if the line is not known. `form` is the id of the form that was read.
 std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form);
+
+/// The most bytes of a study: pages of text.
+inline constexpr std::uintmax_t most_study_bytes = 1U << 20;
+
+/// Reads a study in TOML (docs/studies.md has its keys). Numbers are texts or formulas, so that no digit is
+/// lost. Throws UserError with one line that names the file, the line and the rule: for a text that is not
+/// TOML, an unknown key, a missing one, a value of another type, another schema, and a published set of a
+/// form that is not there.
+StudyFile read_study_file(const std::string& text, const std::string& name);
 
 }  // namespace shadefit

@@ -1,4 +1,4 @@
-#include "app/studies/read_study_file.hpp"
+#include "app/studies/find_study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "app/options/study_options.hpp"
 #include "fit/support/decimal.hpp"
@@ -75,30 +76,23 @@ T choice(const TomlReader& reader, const toml::node& node, const std::string& ke
 void read_metric(const TomlReader& reader, const toml::table& metric, StudyFile& file) {
   reader.require_keys(
       metric, {"norm", "error", "weight", "exact_at", "one_sided", "at_most", "at_least", "monotone"});
-  const auto with = [&](const char* key, const auto& use) {
-    if (const toml::node* node = metric.get(key)) use(*node, key);
+  const auto read_choice = [&](const char* key, auto& value, const auto& values) {
+    if (const toml::node* node = metric.get(key)) value = choice(reader, *node, key, values);
   };
-  with("norm", [&](const toml::node& node, const char* key) {
-    file.norm = choice(reader, node, key, std::array{Norm::least_squares, Norm::minimax});
-  });
-  with("error", [&](const toml::node& node, const char* key) {
-    file.study.error = choice(reader, node, key, std::array{Error::absolute, Error::relative});
-  });
+  const auto read_number = [&](const char* key, std::optional<double>& value) {
+    if (const toml::node* node = metric.get(key)) value = number(reader, *node, key);
+  };
+  read_choice("norm", file.norm, std::array{Norm::least_squares, Norm::minimax});
+  read_choice("error", file.study.error, std::array{Error::absolute, Error::relative});
   file.study.weight = reader.optional(metric, "weight", "1");
   file.has_weight = metric.contains("weight");
   Constraints& constraints = file.constraints;
   for (const toml::node* place : reader.list(metric, "exact_at"))
     constraints.exact_at.push_back(number(reader, *place, "exact_at"));
-  with("one_sided", [&](const toml::node& node, const char* key) {
-    constraints.one_sided = choice(reader, node, key, std::array{Side::above, Side::below});
-  });
-  with("at_most",
-       [&](const toml::node& node, const char* key) { constraints.at_most = number(reader, node, key); });
-  with("at_least",
-       [&](const toml::node& node, const char* key) { constraints.at_least = number(reader, node, key); });
-  with("monotone", [&](const toml::node& node, const char* key) {
-    constraints.monotone = choice(reader, node, key, std::array{Course::falls, Course::rises});
-  });
+  read_choice("one_sided", constraints.one_sided, std::array{Side::above, Side::below});
+  read_number("at_most", constraints.at_most);
+  read_number("at_least", constraints.at_least);
+  read_choice("monotone", constraints.monotone, std::array{Course::falls, Course::rises});
 }
 
 /// Notes the lines of formulas, by which a fault is found.
@@ -211,8 +205,7 @@ PublishedSet read_published(const TomlReader& reader, const toml::table& table, 
   const std::vector<StudyForm>& forms = file.forms;
   reader.require_keys(table, {"form", "given", "values", "source", "where", "claim", "variants"});
   PublishedSet set{.form = reader.optional(table, "form", forms.front().id), .values = {}, .source = {}};
-  const bool is_known =
-      std::any_of(forms.begin(), forms.end(), [&](const StudyForm& form) { return form.id == set.form; });
+  const bool is_known = std::ranges::find(forms, set.form, &StudyForm::id) != forms.end();
   if (!is_known) reader.fail(table, fmt::format("published form '{}' is not the id of a form", set.form));
   const auto values_of = [&](const toml::table& in, const char* key) {
     const toml::node* node = in.get(key);
@@ -237,8 +230,7 @@ void read_forms(const TomlReader& reader, const toml::table& whole, StudyFile& f
     const toml::table& form = reader.table(*node, "form");
     reader.require_keys(form, {"id", "formula"});
     const StudyForm read{reader.required(form, "id"), reader.required(form, "formula")};
-    const bool is_there = std::any_of(file.forms.begin(), file.forms.end(),
-                                      [&](const StudyForm& other) { return other.id == read.id; });
+    const bool is_there = std::ranges::find(file.forms, read.id, &StudyForm::id) != file.forms.end();
     if (is_there) reader.fail(form, fmt::format("the form '{}' is there already", read.id));
     file.forms.push_back(read);
   }
@@ -260,7 +252,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
                  .study = {},
                  .forms = {}};
   // The id is the name of the file, and of the page of the study.
-  const bool is_name = file.id != "index" && std::all_of(file.id.begin(), file.id.end(), [](char c) {
+  const bool is_name = file.id != "index" && std::ranges::all_of(file.id, [](char c) {
                          return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-';
                        });
   if (!is_name)

@@ -1,4 +1,4 @@
-#include "app/studies/study_subject.hpp"
+#include "app/studies/chosen_study.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@ namespace {
 std::string option_of_fits(const FitOptions& options) {
   constexpr std::array all{"--norm",      "--start",   "--fix",      "--exact-at",
                            "--one-sided", "--at-most", "--at-least", "--monotone"};
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const char* option) { return options.present.contains(option); });
+  const auto found =
+      std::ranges::find_if(all, [&](const char* option) { return options.present.contains(option); });
   if (found != all.end()) return *found;
   for (const StudyRange& range : options.study.over) {
     if (range.density != "1") return fmt::format("--over '{}' with a density", range.variable);

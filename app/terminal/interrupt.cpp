@@ -1,5 +1,6 @@
 #include "app/terminal/interrupt.hpp"
 
+#include <chrono>
 #include <ctime>
 
 namespace shadefit {
@@ -39,6 +40,14 @@ Checkpoint interruptible(const HeldSignals& signals) {
   return [held = signals.held] {
     const int signal = take_one(held);
     if (signal > 0) throw Interrupted{signal};
+  };
+}
+
+Checkpoint limited(const Checkpoint& checkpoint, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  return [checkpoint, seconds, start = Clock::now()] {
+    checkpoint();
+    if (std::chrono::duration<double>(Clock::now() - start).count() > seconds) throw TimeIsOver{seconds};
   };
 }
 

@@ -13,6 +13,11 @@ struct Interrupted {
   int signal;
 };
 
+/// Thrown by a checkpoint when the time is over. It is caught as Interrupted is.
+struct TimeIsOver {
+  double seconds;  ///< that were given
+};
+
 /// The held signals, and the previous mask of blocked signals.
 struct HeldSignals {
   sigset_t held;
@@ -36,5 +41,9 @@ void release(const HeldSignals& signals);
 
 /// A checkpoint that takes a pending signal and throws Interrupted.
 Checkpoint interruptible(const HeldSignals& signals);
+
+/// A checkpoint that throws TimeIsOver once so many seconds have passed from now on. It calls `checkpoint`, a
+/// copy of which it holds, first.
+Checkpoint limited(const Checkpoint& checkpoint, double seconds);
 
 }  // namespace shadefit

@@ -54,6 +54,14 @@ std::function<void(double share)> bar(const Progress& progress, const std::strin
   };
 }
 
+std::function<void(double share)> bar(const Checkpoint& checkpoint, const Progress& progress,
+                                      const std::string& what) {
+  return [&checkpoint, show = bar(progress, what)](double share) {
+    checkpoint();
+    show(share);
+  };
+}
+
 Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
                     std::size_t steps) {
   if (steps < 2) return checkpoint;

@@ -34,6 +34,10 @@ Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std:
 /// result.
 std::function<void(double share)> bar(const Progress& progress, const std::string& what);
 
+/// The same, and calls the checkpoint first, which must outlive the result too.
+std::function<void(double share)> bar(const Checkpoint& checkpoint, const Progress& progress,
+                                      const std::string& what);
+
 /// A checkpoint to be called before each of `steps` steps. It shows the finished fraction, or nothing for a
 /// single step. Both arguments must outlive the result.
 Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,

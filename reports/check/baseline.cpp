@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 
@@ -15,9 +14,8 @@
 #include "reports/io/csv.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/sections/exact_fresnel_section.hpp"
 #include "reports/sections/ledger_section.hpp"
-#include "reports/sections/reflectance_section.hpp"
+#include "reports/sections/sections.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -49,7 +47,7 @@ std::vector<std::string> keys_of(const CsvTable& table) {
     std::string key;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const auto& column = table.columns[i];
-      const bool is_key = std::find(key_columns.begin(), key_columns.end(), column) != key_columns.end();
+      const bool is_key = std::ranges::find(key_columns, column) != key_columns.end();
       if (is_key && !row[i].empty()) key += (key.empty() ? "" : " ") + row[i];
     }
     const int count = ++seen[key];
@@ -85,9 +83,6 @@ std::optional<std::string> curve_effect(const FitRow& origin, const std::string&
   return sentence(origin.refit->family->effect(setting_of(fit), fit.metric.domain, from, fit.parameters));
 }
 
-using EffectOf = std::function<std::string(std::size_t row, const std::string& column,
-                                           const std::string& before, const std::string& after)>;
-
 /// A table of the baseline, as it was read.
 struct OldTable {
   std::string file, path;
@@ -100,7 +95,9 @@ long line_of(std::size_t row) {
   return first + static_cast<long>(row);
 }
 
-std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after, const EffectOf& effect_of) {
+/// Compares two versions of a table; of fits.csv, `origins` are those of the rows of the newer one.
+std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after,
+                                  const std::vector<FitRow>& origins = {}) {
   const CsvTable& before = old.table;
   std::vector<Drift> drifts;
   const auto add = [&](const std::string& row, const std::string& column, const std::string& from,
@@ -109,7 +106,7 @@ std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after, co
   };
   const auto old_keys = keys_of(before), new_keys = keys_of(after);
   for (std::size_t i = 0; i < after.rows.size(); ++i) {
-    const auto match = std::find(old_keys.begin(), old_keys.end(), new_keys[i]);
+    const auto match = std::ranges::find(old_keys, new_keys[i]);
     if (match == old_keys.end()) {
       add(new_keys[i], "", "", "", "the baseline has no such row", 1);
       continue;
@@ -118,12 +115,14 @@ std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after, co
     const auto& old_row = before.rows[row];
     for (std::size_t j = 0; j < after.columns.size(); ++j) {
       if (old_row[j] == after.rows[i][j]) continue;
+      const bool is_of_a_curve = !origins.empty() && after.columns[j] == "fitted";
+      const auto effect = is_of_a_curve ? curve_effect(origins[i], old_row[j]) : std::nullopt;
       add(new_keys[i], after.columns[j], old_row[j], after.rows[i][j],
-          effect_of(i, after.columns[j], old_row[j], after.rows[i][j]), line_of(row));
+          effect.value_or(plain_effect(old_row[j], after.rows[i][j])), line_of(row));
     }
   }
   for (std::size_t row = 0; row < old_keys.size(); ++row) {
-    if (std::find(new_keys.begin(), new_keys.end(), old_keys[row]) != new_keys.end()) continue;
+    if (std::ranges::find(new_keys, old_keys[row]) != new_keys.end()) continue;
     add(old_keys[row], "", "", "", "a row that is no longer computed", line_of(row));
   }
   return drifts;
@@ -147,8 +146,7 @@ CsvTable parse_with_columns(const std::string& content, const std::string& path,
 
 OldTable parse_checked(const Baseline& baseline, const std::string& name,
                        const std::vector<std::string>& columns) {
-  const auto file = std::find_if(baseline.files.begin(), baseline.files.end(),
-                                 [&](const File& f) { return f.name == name; });
+  const auto file = std::ranges::find(baseline.files, name, &File::name);
   const std::filesystem::path path = baseline.directory / name;
   return {name, path.lexically_normal().generic_string(),
           parse_with_columns(file->content, path.string(), columns)};
@@ -196,19 +194,10 @@ Baseline read_tables(const std::filesystem::path& directory, const std::vector<s
 
 std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
   const FitsTable fits = fits_table(results.refits);
-  const OldTable old_fits = parse_checked(baseline, fits_file, fits.table.columns);
-  auto drifts = compare_tables(
-      old_fits, as_csv(fits.table, fits_file),
-      [&](std::size_t row, const std::string& column, const std::string& before, const std::string& after) {
-        if (column == "fitted") {
-          if (const auto effect = curve_effect(fits.origins[row], before)) return *effect;
-        }
-        return plain_effect(before, after);
-      });
+  auto drifts = compare_tables(parse_checked(baseline, fits_file, fits.table.columns),
+                               as_csv(fits.table, fits_file), fits.origins);
   for (const auto& [file, table] : plain_tables(results)) {
-    const auto others = compare_tables(parse_checked(baseline, file, table.columns), as_csv(table, file),
-                                       [](std::size_t, const std::string&, const std::string& before,
-                                          const std::string& after) { return plain_effect(before, after); });
+    const auto others = compare_tables(parse_checked(baseline, file, table.columns), as_csv(table, file));
     drifts.insert(drifts.end(), others.begin(), others.end());
   }
   return drifts;
@@ -218,11 +207,7 @@ std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>
   std::vector<Drift> drifts;
   for (const File& file : now) {
     const CsvTable after = parse_csv(file.content, file.name);
-    const OldTable before = parse_checked(tables, file.name, after.columns);
-    const auto others =
-        compare_tables(before, after,
-                       [](std::size_t, const std::string&, const std::string& old_cell,
-                          const std::string& new_cell) { return plain_effect(old_cell, new_cell); });
+    const auto others = compare_tables(parse_checked(tables, file.name, after.columns), after);
     drifts.insert(drifts.end(), others.begin(), others.end());
   }
   return drifts;

@@ -1,4 +1,4 @@
-#include "reports/check/drift_findings.hpp"
+#include "reports/check/baseline.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ findings::FindingReport drift_findings(const std::vector<Drift>& drifts, std::si
          .fingerprint = fmt::format("{} {} {}{}{}", rule, drift.file, drift.row,
                                     drift.column.empty() ? "" : " ", drift.column)});
   }
-  std::stable_sort(report.findings.begin(), report.findings.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(report.findings, [](const auto& a, const auto& b) {
     return std::tie(a.place->path, a.place->line) < std::tie(b.place->path, b.place->line);
   });
   return report;

@@ -1,4 +1,4 @@
-#include "reports/code/reserved_names.hpp"
+#include "reports/code/shader_code.hpp"
 
 #include <algorithm>
 #include <array>
@@ -68,11 +68,11 @@ bool is_c_function(std::string_view name, WordList functions = reserved::c_funct
 bool has_opencl_prefix(std::string_view name) {
   constexpr std::array prefixes{"as_",   "convert_", "vload",       "vstore",
                                 "atom_", "atomic_",  "work_group_", "sub_group_"};
-  return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* p) { return name.starts_with(p); });
+  return std::ranges::any_of(prefixes, [&](const char* p) { return name.starts_with(p); });
 }
 
 bool is_any_of(std::string_view name, std::initializer_list<WordList> lists) {
-  return std::any_of(lists.begin(), lists.end(), [&](WordList list) { return holds_word(list, name); });
+  return std::ranges::any_of(lists, [&](WordList list) { return holds_word(list, name); });
 }
 
 bool is_word(std::string_view name, Language language) {

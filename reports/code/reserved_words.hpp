@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The words that languages reserve, as data; the sources stand in reserved_names.hpp.
+/// The words that languages reserve, as data; the sources stand in shader_code.hpp.
 namespace shadefit::reserved {
 
 /// Words, separated by blanks.

@@ -31,11 +31,6 @@ Symbolic number_of(double value, scene::PixelPrecision precision) {
       fmt::format("{}", is_half ? std::clamp(value, -largest_half, largest_half) : value));
 }
 
-/// The largest power: `most_power`, or what the largest half, 65504, leaves.
-Symbolic largest_power(scene::PixelPrecision precision) {
-  return number_of(scene::most_power, precision);
-}
-
 bool has_texture(const Scene& scene, const Plan& plan, PowerTexture texture) {
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     if (plan.materials[i].has_lobe && scene.materials[i].power_texture == texture) return true;
@@ -66,7 +61,7 @@ Symbolic power_of(const Symbolic& stored, const Scene& scene, const Plan& plan) 
   const double least = scene.conventions.min_roughness;
   const Symbolic roughness = least > 0 ? max(stored, number_of(least, plan.wanted.precision)) : stored;
   const Symbolic alpha = scene.conventions.is_roughness_squared ? roughness * roughness : roughness;
-  return min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision));
+  return min(blinn_phong_exponent(alpha), number_of(scene::most_power, plan.wanted.precision));
 }
 
 ShaderFunction exponent_of_roughness(const Scene& scene, const Plan& plan) {
@@ -78,21 +73,18 @@ ShaderFunction exponent_of_roughness(const Scene& scene, const Plan& plan) {
 
 ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
   const Symbolic gloss = Symbolic::variable("gloss"), one = integer<Symbolic>(1);
-  ShaderFunction function{"scene_exponent_of_gloss", {"gloss"}, one, {"The power n of a pixel's gloss."}};
-  if (scene.conventions.is_gloss_exponential) {
-    function.result = decode_gloss(gloss, integer<Symbolic>(10), one);
-  } else {
-    function.result = power_of(one - gloss, scene, plan);
-  }
-  return function;
+  return {"scene_exponent_of_gloss",
+          {"gloss"},
+          scene.conventions.is_gloss_exponential ? decode_gloss(gloss, integer<Symbolic>(10), one)
+                                                 : power_of(one - gloss, scene, plan),
+          {"The power n of a pixel's gloss."}};
 }
 
 /// Limits the cosine to at least the smallest normal number if a power may be 0, because 0 times log2(0) =
 /// -infinity would be NaN. This changes nothing visible: `seen_light` is as small.
 Symbolic above_zero(const Plan& plan, const Symbolic& c) {
-  const bool has_power_of_zero =
-      std::any_of(plan.materials.begin(), plan.materials.end(),
-                  [](const auto& material) { return material.has_lobe && material.power.least == 0; });
+  const bool has_power_of_zero = std::ranges::any_of(
+      plan.materials, [](const auto& material) { return material.has_lobe && material.power.least == 0; });
   if (!has_power_of_zero) return c;
   const bool is_float = plan.wanted.precision == scene::PixelPrecision::float32;
   return max(c, number_of(is_float ? std::numeric_limits<float>::min() : 0x1p-14, plan.wanted.precision));
@@ -218,10 +210,10 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
         decimal_above(plan.dot_product_error, 2)));
   comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
   comment.emplace_back("");
-  comment.emplace_back(fmt::format(
-      "With a specular lobe, {} of {}:",
-      std::count_if(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.has_lobe; }),
-      counted(static_cast<long>(plan.materials.size()), "material")));
+  comment.emplace_back(
+      fmt::format("With a specular lobe, {} of {}:",
+                  std::ranges::count_if(plan.materials, [](const auto& m) { return m.has_lobe; }),
+                  counted(static_cast<long>(plan.materials.size()), "material")));
   const std::vector<std::string> lines = material_lines(scene, plan);
   comment.insert(comment.end(), lines.begin(), lines.end());
   return comment;

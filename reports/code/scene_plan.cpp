@@ -96,14 +96,14 @@ Json json_of(const scene::Range& range) {
 }  // namespace
 
 Table decisions_table(const Plan& plan) {
-  Table table{.columns = {"term", "verdict", "form", "error", "reason"}, .rows = {}};
+  Table table{.columns = {"term", "verdict", "form", "error", "reason"}};
   for (const scene::Decision& d : plan.decisions)
     table.rows.push_back({d.term, word(name(d.treatment)), d.form, bound(d.error), d.reason});
   return table;
 }
 
 Table materials_table(const Scene& scene, const Plan& plan) {
-  Table table{.columns = {"material", "lobe", "power", "largest", "cutoff", "reason"}, .rows = {}};
+  Table table{.columns = {"material", "lobe", "power", "largest", "cutoff", "reason"}};
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const MaterialPlan& m = plan.materials[i];
     const bool is_textured = scene.materials[i].is_power_textured();

@@ -43,7 +43,7 @@ bool is_number(const Symbolic& e) {
 }
 
 bool is_of_numbers(const Symbolic& e) {
-  return e.kind() != Kind::variable && std::all_of(e.parts().begin(), e.parts().end(), is_of_numbers);
+  return e.kind() != Kind::variable && std::ranges::all_of(e.parts(), is_of_numbers);
 }
 
 /// x^n, its multiplications written out.
@@ -124,7 +124,7 @@ class Body {
   std::string new_name() {
     for (;;) {
       const std::string name = "t" + std::to_string(next_name_++);
-      if (std::count(function_.arguments.begin(), function_.arguments.end(), name) == 0) return name;
+      if (std::ranges::count(function_.arguments, name) == 0) return name;
     }
   }
 
@@ -189,9 +189,7 @@ class Body {
                                     "tan",  "asin",  "acos", "atan", "atan2", "sinh", "cosh",
                                     "tanh", "floor", "abs",  "min",  "max",   "pow"};
     constexpr std::array in_c{"expm1", "log1p", "erf", "erfc"};
-    const auto is_in = [&](const auto& list) {
-      return std::find(list.begin(), list.end(), function) != list.end();
-    };
+    const auto is_in = [&](const auto& list) { return std::ranges::find(list, function) != list.end(); };
     const bool is_there = is_in(everywhere) || (dialect_.has_functions_of_c && is_in(in_c)) ||
                           (dialect_.has_sign && function == "sign");
     if (!is_there)
@@ -235,8 +233,8 @@ std::string head(const ShaderFunction& function, const Dialect& dialect, std::st
 /// function names but different constants give a compiler error; otherwise the second would be skipped
 /// silently.
 std::string guarded(const std::string& body, std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   const std::string guard = fmt::format("SHADEFIT_{:08X}_{}", crc_of(body), name);
   return fmt::format("\n#ifndef {0}\n#define {0}\n{1}\n#endif\n", guard, body);
 }

@@ -1,8 +1,6 @@
-#include "reports/figures/better_figure.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <fmt/format.h>
-
-#include <array>
 
 #include "approx/fresnel.hpp"
 #include "reports/figures/plot_data.hpp"
@@ -13,15 +11,13 @@
 namespace shadefit {
 namespace {
 
-constexpr std::array contender_looks{Look::first, Look::second, Look::third, Look::fourth};
-
 /// The first published curves, then the best curve that beats one.
 std::vector<const Contender*> shown_contenders(const Comparison& comparison) {
   std::vector<const Contender*> shown;
   const Contender* best = nullptr;
   for (const Contender& contender : comparison.contenders) {
     const bool is_published = contender.kind == Contender::Kind::published;
-    if (is_published && shown.size() + 1 < contender_looks.size()) shown.push_back(&contender);
+    if (is_published && shown.size() + 1 < curve_looks.size()) shown.push_back(&contender);
     if (is_published || contender.beats.empty()) continue;
     if (best == nullptr || contender.max_abs_error.upper < best->max_abs_error.upper) best = &contender;
   }
@@ -43,23 +39,20 @@ double error_at(const Comparison& comparison, const Contender& contender, const 
 
 Figure better_figure(const Comparison& comparison) {
   const auto shown = shown_contenders(comparison);
-  Table table{{"cosine"}, {}};
+  Table table{{"cosine"}};
   Panel panel{.title = gnuplot_unmarked(target_of(comparison)),
               .x_label = "c, the cosine",
               .y_label = comparison.setting.surface.is_named() ? "error of F" : "error",
-              .abscissa = "cosine",
-              .curves = {}};
+              .abscissa = "cosine"};
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const std::string column = fmt::format("error_{}", i + 1);
     table.columns.push_back(column);
     const bool is_published = shown[i]->kind == Contender::Kind::published;
     const std::string label = fmt::format("{}: {}", is_published ? shown[i]->origin : "best", shown[i]->form);
-    panel.curves.push_back({column, gnuplot_unmarked(label), contender_looks.at(i)});
+    panel.curves.push_back({column, gnuplot_unmarked(label), curve_looks.at(i)});
   }
   const Domain& domain = comparison.domain;
-  constexpr int steps = 2 * plot_steps;
-  for (int i = 0; i <= steps; ++i) {
-    const double c = domain.lower + (domain.upper - domain.lower) * i / steps;
+  for (const double c : abscissae(domain.lower, domain.upper)) {
     std::vector<Cell> row{plotted(c)};
     for (const Contender* contender : shown)
       row.push_back(plotted(error_at(comparison, *contender, {c, 1 - c})));

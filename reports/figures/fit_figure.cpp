@@ -1,4 +1,4 @@
-#include "reports/figures/fit_figure.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/gnuplot_text.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/tables.hpp"
 
 namespace shadefit {
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::string_view file_name = "fit";
 constexpr int panel_height = 260;
-constexpr std::array parameter_looks{Look::first, Look::second, Look::third, Look::fourth};
 
 /// The error that the fit minimises.
 double error_of(const Fit& fit, const CurvePoint& point) {
@@ -38,7 +38,7 @@ bool has_level(const Fit& fit) {
 
 /// The curve over the cosine, and a row for each contact.
 Table curve_table(const Fit& fit, const FittableFamily& family) {
-  Table table{{"cosine", "target", "form", "error", "contact"}, {}};
+  Table table{{"cosine", "target", "form", "error", "contact"}};
   const auto point_at = [&](const Cosine<double>& at) {
     return family.point(setting_of(fit), fit.parameters, at);
   };
@@ -48,11 +48,10 @@ Table curve_table(const Fit& fit, const FittableFamily& family) {
     const double share = static_cast<double>(i) / steps;
     const double c = domain.lower + share * (domain.upper - domain.lower);
     const CurvePoint point = point_at({c, 1 - c});
-    const double error = error_of(fit, point);
     table.rows.push_back({plotted(c),
                           plotted(point.target),
                           plotted(point.form),
-                          std::isfinite(error) ? plotted(error) : Cell(),
+                          plotted_if_finite(error_of(fit, point)),
                           {}});
   }
   if (!has_level(fit)) return table;
@@ -65,12 +64,9 @@ Table curve_table(const Fit& fit, const FittableFamily& family) {
 
 /// "a = -5.5547, b = -6.9832"
 std::string constants_text(const Fit& fit, const FittableFamily& family) {
-  std::string out;
-  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-    const std::string value = text(Number{fit.parameters[i], 7}, Precision::report);
-    out += fmt::format("{}{} = {}", i == 0 ? "" : ", ", family.parameters[i], typeset(value));
-  }
-  return out;
+  return equations(family.parameters, fit.parameters, [](double value) {
+    return typeset(text(Number{value, 7}, Precision::report));
+  });
 }
 
 Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table) {
@@ -105,7 +101,7 @@ Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table
 
 /// The curves of a sweep: of the least, the middle and the largest exponent.
 std::vector<const Fit*> drawn_of(std::vector<const Fit*> fits) {
-  std::sort(fits.begin(), fits.end(), [](const Fit* a, const Fit* b) { return *a->exponent < *b->exponent; });
+  std::ranges::sort(fits, [](const Fit* a, const Fit* b) { return *a->exponent < *b->exponent; });
   if (fits.size() == 2) return fits;
   return {fits.front(), fits[fits.size() / 2], fits.back()};
 }
@@ -134,16 +130,15 @@ void add_curves(Table& table, const std::vector<const Fit*>& drawn, const Fittab
       }
       const CurvePoint point =
           family.point(setting_of(*fit), fit->parameters, Cosine<double>{1 - from_peak, from_peak});
-      const double error = error_of(*fit, point);
-      for (const double value : {point.target, point.form, error})
-        row.push_back(std::isfinite(value) ? plotted(value) : Cell());
+      for (const double value : {point.target, point.form, error_of(*fit, point)})
+        row.push_back(plotted_if_finite(value));
     }
   }
 }
 
 /// Rows of one fit each, then rows of one place each.
 Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& family) {
-  Table table{{"exponent"}, {}};
+  Table table{{"exponent"}};
   for (const std::string_view parameter : family.parameters) table.columns.emplace_back(parameter);
   table.columns.insert(table.columns.end(), {"max_abs_error", "rms_error"});
   for (const Fit* fit : fits) {
@@ -162,18 +157,16 @@ std::array<Panel, 2> curve_panels(const std::vector<const Fit*>& drawn) {
   Panel curves{.title = "Curves of three exponents",
                .y_label = "value",
                .settings = "set yrange [0:*]\n",  // a lobe is never negative
-               .abscissa = "scaled",
-               .curves = {}};
+               .abscissa = "scaled"};
   if (drawn.size() == 2) curves.title = "Curves of two exponents";
   Panel errors{.x_label = "k (1 − c)",
                .y_label = is_relative ? "relative error" : "form − target",
-               .abscissa = "scaled",
-               .curves = {}};
+               .abscissa = "scaled"};
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const std::string label = fmt::format("k = {}", *drawn[i]->exponent);
     curves.curves.push_back({fmt::format("target_{}", i + 1), "target", Look::target});
-    curves.curves.push_back({fmt::format("form_{}", i + 1), label, parameter_looks.at(i)});
-    errors.curves.push_back({fmt::format("error_{}", i + 1), label, parameter_looks.at(i)});
+    curves.curves.push_back({fmt::format("form_{}", i + 1), label, curve_looks.at(i)});
+    errors.curves.push_back({fmt::format("error_{}", i + 1), label, curve_looks.at(i)});
   }
   return {curves, errors};
 }
@@ -186,11 +179,10 @@ Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& famil
   Panel parameters{.title = gnuplot_unmarked(to_text(family.form())),
                    .y_label = "parameter",
                    .settings = scale,
-                   .abscissa = "exponent",
-                   .curves = {}};
+                   .abscissa = "exponent"};
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
     const std::string name(family.parameters[i]);
-    parameters.curves.push_back({name, name, parameter_looks.at(i), false, true});
+    parameters.curves.push_back({name, name, curve_looks.at(i), false, true});
   }
   const Panel errors{.x_label = "k, the exponent",
                      .y_label = "error",

@@ -1,12 +1,15 @@
-#include "reports/figures/fresnel_figures.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <fmt/format.h>
+
+#include <array>
 
 #include "approx/fresnel.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/families/surface.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit {
 namespace {
@@ -18,19 +21,6 @@ struct Form {
   Look look;
   double (*weight)(double cos_theta);
 };
-
-double one_term(double c) {
-  return fresnel_one_term(c, constant<double>(printed("fresnel-one-term")));
-}
-
-double one_term_at_offset_one(double c) {
-  return fresnel_one_term(c, constant<double>(printed("fresnel-offset-one")));
-}
-
-double quadratic(double c) {
-  return fresnel_quadratic(c, constant<double>(printed("fresnel-quadratic-a")),
-                           constant<double>(printed("fresnel-quadratic-b")));
-}
 
 double schlick(double c) {
   return schlick_weight(c);
@@ -50,17 +40,20 @@ std::vector<Form> exp2_forms() {
   const std::string a = typeset(printed("fresnel-quadratic-a"));
   const std::string b = printed("fresnel-quadratic-b");
   const std::string sum = b.starts_with('-') ? "− " + b.substr(1) : "+ " + b;
-  return {{"one_term_" + sharpness, fmt::format("exp2(−{} c)", sharpness), Look::first, &one_term},
-          {"one_term_" + other, fmt::format("exp2(−{} c)", other), Look::third, &one_term_at_offset_one},
-          {"quadratic", fmt::format("exp2(({} c {}) c)", a, sum), Look::second, &quadratic}};
+  return {{"one_term_" + sharpness, fmt::format("exp2(−{} c)", sharpness), Look::first,
+           [](double c) { return fresnel_one_term(c, constant<double>(printed("fresnel-one-term"))); }},
+          {"one_term_" + other, fmt::format("exp2(−{} c)", other), Look::third,
+           [](double c) { return fresnel_one_term(c, constant<double>(printed("fresnel-offset-one"))); }},
+          {"quadratic", fmt::format("exp2(({} c {}) c)", a, sum), Look::second, [](double c) {
+             return fresnel_quadratic(c, constant<double>(printed("fresnel-quadratic-a")),
+                                      constant<double>(printed("fresnel-quadratic-b")));
+           }}};
 }
 
 /// The angle on top of a panel over the cosine, which runs from grazing (left) to normal incidence.
 std::string angles() {
-  std::string tics;
-  for (const int degrees : {90, 80, 70, 60, 45, 30, 0})
-    tics += fmt::format("{}'{}°' cos({}*pi/180)", tics.empty() ? "" : ", ", degrees, degrees);
-  return tics;
+  return joined(std::array{90, 80, 70, 60, 45, 30, 0}, ", ",
+                [](int degrees) { return fmt::format("'{0}°' cos({0}*pi/180)", degrees); });
 }
 
 /// A panel over the cosine of the angle of incidence.
@@ -73,7 +66,7 @@ Panel panel_over_cosine(std::vector<Curve> curves, const std::string& settings) 
 }
 
 Table weight_table(const std::vector<Form>& forms) {
-  Table table{{"cosine"}, {}};
+  Table table{{"cosine"}};
   for (const Form& form : forms) table.columns.push_back(form.column);
   for (int i = 0; i <= plot_steps; ++i) {
     const double c = static_cast<double>(i) / plot_steps;
@@ -129,7 +122,7 @@ std::vector<Curve> error_curves(const ErrorsAgainst& comparison, const std::stri
 
 Table error_table(const std::vector<ErrorsAgainst>& comparisons) {
   const double f0 = constant<double>(reference_f0);
-  Table table{{"cosine"}, {}};
+  Table table{{"cosine"}};
   for (const ErrorsAgainst& comparison : comparisons) {
     for (const char* kind : {"abs", "rel"}) {
       for (const Curve& curve : error_curves(comparison, kind)) table.columns.push_back(curve.column);
@@ -189,9 +182,8 @@ Figure errors(std::string_view family) {
   return {
       plot.name, family,
       fmt::format("Errors of the reflectance F = F0 + (1 − F0) f with F0 = {}, the one of index {}: on the "
-                  "left "
-                  "against Schlick's formula, which they approximate, on the right against the "
-                  "exact dielectric, which Schlick's formula itself misses.",
+                  "left against Schlick's formula, which they approximate, on the right against the exact "
+                  "dielectric, which Schlick's formula itself misses.",
                   reference_f0, glass.ior),
       data, write_script(plot)};
 }

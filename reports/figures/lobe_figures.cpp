@@ -1,4 +1,4 @@
-#include "reports/figures/lobe_figures.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <fmt/format.h>
 
@@ -22,30 +22,24 @@ struct Approximation {
   double (*parameter)(const Fit&);
 };
 
-/// The formulas of a family at a place, with exponent and parameter.
-struct LobeFormulas {
-  double (*form)(const Cosine<double>&, double exponent, double parameter);
-  double (*error)(const Cosine<double>&, double exponent, double parameter);
-  double (*relative_error)(const Cosine<double>&, double exponent, double parameter);
+/// The curve of a family at a place.
+struct LobePoint {
+  double form, error, relative_error;
 };
 
-template <class F>
-constexpr LobeFormulas lobe_formulas_of{[](const Cosine<double>& c, double exponent, double parameter) {
-                                          const F family{{exponent}};
-                                          return family.form(family.sample(c), std::array{parameter});
-                                        },
-                                        [](const Cosine<double>& c, double exponent, double parameter) {
-                                          const F family{{exponent}};
-                                          return family.error(family.sample(c), std::array{parameter});
-                                        },
-                                        [](const Cosine<double>& c, double exponent, double parameter) {
-                                          const F family{{exponent}};
-                                          return family.relative_error(family.sample(c),
-                                                                       std::array{parameter});
-                                        }};
+using LobeFormulas = LobePoint (*)(const Cosine<double>&, double exponent, double parameter);
 
-constexpr LobeFormulas gaussian = lobe_formulas_of<SgOffset>;
-constexpr LobeFormulas blinn = lobe_formulas_of<PhongBlinn>;
+template <class F>
+LobePoint lobe_point(const Cosine<double>& c, double exponent, double parameter) {
+  const F family{{exponent}};
+  const auto sample = family.sample(c);
+  const std::array parameters{parameter};
+  return {family.form(sample, parameters), family.error(sample, parameters),
+          family.relative_error(sample, parameters)};
+}
+
+constexpr LobeFormulas gaussian = lobe_point<SgOffset>;
+constexpr LobeFormulas blinn = lobe_point<PhongBlinn>;
 
 /// The available fits of a low, a medium and a high exponent under the first measure.
 std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double> exponents) {
@@ -76,33 +70,32 @@ void add_rows(Table& table, const std::vector<const Fit*>& fits, const Append& a
 }
 
 Table lobe_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
-                 const LobeFormulas& formulas) {
-  Table table{{"exponent", "angle", "target"}, {}};
+                 LobeFormulas formulas) {
+  Table table{{"exponent", "angle", "target"}};
   for (const auto& approximation : approximations) table.columns.push_back(approximation.column);
   add_rows(table, fits, [&](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c) {
     row.push_back(plotted(power_lobe(c.cos_theta, *fit.exponent)));
     for (const auto& approximation : approximations)
-      row.push_back(plotted(formulas.form(c, *fit.exponent, approximation.parameter(fit))));
+      row.push_back(plotted(formulas(c, *fit.exponent, approximation.parameter(fit)).form));
   });
   return table;
 }
 
 /// Relative errors are given where the target is at least 1/255.
 Table error_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
-                  const LobeFormulas& formulas) {
-  Table table{{"exponent", "angle"}, {}};
+                  LobeFormulas formulas) {
+  Table table{{"exponent", "angle"}};
   for (const char* kind : {"abs_", "rel_"}) {
     for (const auto& approximation : approximations) table.columns.push_back(kind + approximation.column);
   }
   add_rows(table, fits, [&](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c) {
+    const auto point_of = [&](const Approximation& approximation) {
+      return formulas(c, *fit.exponent, approximation.parameter(fit));
+    };
+    const bool is_visible = c.cos_theta >= fit.relative_domain.lower;
+    for (const auto& approximation : approximations) row.push_back(plotted(point_of(approximation).error));
     for (const auto& approximation : approximations)
-      row.push_back(plotted(formulas.error(c, *fit.exponent, approximation.parameter(fit))));
-    for (const auto& approximation : approximations) {
-      const bool is_visible = c.cos_theta >= fit.relative_domain.lower;
-      row.push_back(is_visible
-                        ? plotted(formulas.relative_error(c, *fit.exponent, approximation.parameter(fit)))
-                        : Cell());
-    }
+      row.push_back(is_visible ? plotted(point_of(approximation).relative_error) : Cell());
   });
   return table;
 }

@@ -14,6 +14,17 @@ Cell plotted(double value) {
   return Number{value, digits};
 }
 
+Cell plotted_if_finite(double value) {
+  return std::isfinite(value) ? plotted(value) : Cell();
+}
+
+std::vector<double> abscissae(double from, double to) {
+  std::vector<double> places;
+  constexpr int steps = 2 * plot_steps;
+  for (int i = 0; i <= steps; ++i) places.push_back(from + (to - from) * i / steps);
+  return places;
+}
+
 Cosine<double> cosine_of_degrees(double degrees) {
   constexpr double radian = std::numbers::pi / 180;
   // The sine of the complement gives the cosine 0 at 90 degrees; the half angle avoids cancellation in 1 - c.
@@ -45,7 +56,7 @@ const Fit* fit_at(const Refit& refit, Measure measure, double exponent) {
 }
 
 Table best_parameter_table(const Refit& refit) {
-  Table table{{"exponent"}, {}};
+  Table table{{"exponent"}};
   for (const Measure measure : measures) table.columns.emplace_back(name(measure));
   for (const FitReport& report : refit.fits) {
     if (report.fit.metric != Metric{.measure = measures.front()}) continue;

@@ -14,8 +14,14 @@ namespace shadefit {
 /// Six digits: more than a picture shows, and free of rounding.
 Cell plotted(double value);
 
+/// The same; empty for an infinity or NaN.
+Cell plotted_if_finite(double value);
+
 /// Equal steps from one end to the other, enough for a curve that looks smooth on a page.
 inline constexpr int plot_steps = 200;
+
+/// Twice as many even places from one end to the other, for a figure of one panel.
+std::vector<double> abscissae(double from, double to);
 
 /// The cosine of an angle in degrees, 0 to 90, both it and its distance from 1 to full precision.
 Cosine<double> cosine_of_degrees(double degrees);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reports/io/gnuplot_text.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/own_file.hpp"
 
 namespace shadefit {
@@ -31,13 +32,15 @@ constexpr std::string_view styles =
     "set style line 8 lc rgb '#707070' lw 1.2 dt (6,4)\n"
     "set style line 9 lc rgb '#DDDDDD' lw 1\n";
 
+/// Between the parts of a command, each on its own line.
+constexpr std::string_view between_lines = ", \\\n  ";
+
 /// Each label once, in the order of its first curve.
 std::vector<Curve> legend_of(const Plot& plot) {
   std::vector<Curve> legend;
   for (const Panel& panel : plot.panels) {
     for (const Curve& curve : panel.curves) {
-      const bool is_new = std::none_of(legend.begin(), legend.end(),
-                                       [&](const Curve& known) { return known.label == curve.label; });
+      const bool is_new = std::ranges::find(legend, curve.label, &Curve::label) == legend.end();
       if (is_new) legend.push_back(curve);
     }
   }
@@ -62,8 +65,7 @@ struct Layout {
 
 Layout layout_of(const Plot& plot) {
   const auto has = [&](const std::string Panel::*text) {
-    return std::any_of(plot.panels.begin(), plot.panels.end(),
-                       [&](const Panel& panel) { return !(panel.*text).empty(); });
+    return std::ranges::any_of(plot.panels, [&](const Panel& panel) { return !(panel.*text).empty(); });
   };
   const int rows = (static_cast<int>(plot.panels.size()) + plot.columns - 1) / plot.columns;
   const int above =
@@ -144,27 +146,24 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
         "set label '{1}' at graph 0.99, first {0} right offset 0,0.55 textcolor '#505050'\n",
         level.value, level.label);
   }
-  std::vector<std::string> lines;
-  for (const Curve& curve : panel.curves) lines.push_back(command_of(plot, panel, curve));
-  return out + fmt::format("plot {}\n", fmt::join(lines, ", \\\n  "));
+  const auto command = [&](const Curve& curve) { return command_of(plot, panel, curve); };
+  return out + fmt::format("plot {}\n", joined(panel.curves, between_lines, command));
 }
 
 /// One legend for all panels: the key of an additional empty panel, as wide as the picture.
 std::string legend_text(const Plot& plot) {
   const auto legend = legend_of(plot);
-  std::vector<std::string> lines{"2 notitle"};
-  for (const Curve& curve : legend) {
-    lines.push_back(fmt::format("keyentry with {} ls {} title '{}'", style_of(curve),
-                                static_cast<int>(curve.look), curve.label));
-  }
+  const std::string entries = joined(legend, "", [](const Curve& curve) {
+    return fmt::format("{}keyentry with {} ls {} title '{}'", between_lines, style_of(curve),
+                       static_cast<int>(curve.look), curve.label);
+  });
   return fmt::format(
       "\nunset arrow; unset label; unset logscale; unset x2tics; unset xtics; unset ytics; unset border\n"
       "unset title; unset xlabel\n"
       "set margins at screen 0.01, screen 0.99, screen 0, screen {:.5f}\n"
       "set key on inside center center horizontal Left reverse samplen 2.5 width 1\n"
-      "plot [0:1][0:1] {}\n",
-      static_cast<double>(legend_height * rows_of_legend(legend)) / layout_of(plot).height,
-      fmt::join(lines, ", \\\n  "));
+      "plot [0:1][0:1] 2 notitle{}\n",
+      static_cast<double>(legend_height * rows_of_legend(legend)) / layout_of(plot).height, entries);
 }
 
 }  // namespace
@@ -178,7 +177,7 @@ std::string write_script(const Plot& plot) {
 std::string range_around(const Table& table, const std::vector<Curve>& curves) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Curve& curve : curves) {
-    const auto column = std::find(table.columns.begin(), table.columns.end(), curve.column);
+    const auto column = std::ranges::find(table.columns, curve.column);
     const auto i = static_cast<std::size_t>(column - table.columns.begin());
     for (const auto& row : table.rows) {
       const auto* number = std::get_if<Number>(&row.at(i));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ enum class Look {
   fourth,
   thin_target,  ///< the target of another figure, if it is one of the compared curves
 };
+
+/// The looks of the curves that a figure compares, in their order.
+inline constexpr std::array curve_looks{Look::first, Look::second, Look::third, Look::fourth};
 
 /// One column of the data over the panel's abscissa. Labels are gnuplot's enhanced text: x^2, x_{min}.
 struct Curve {
@@ -43,7 +47,7 @@ struct Panel {
   std::string top_tics = "";  ///< a second axis on top: gnuplot's list of tics, "'a' 0, 'b' 1"; empty: none
   std::string abscissa;       ///< a column
   std::string where = "";     ///< the condition on a row, in gnuplot's words; empty: all rows
-  std::vector<Curve> curves;
+  std::vector<Curve> curves = {};
   std::vector<Level> levels = {};
 };
 

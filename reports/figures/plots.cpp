@@ -1,4 +1,4 @@
-#include "reports/figures/plots.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -6,8 +6,6 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/phong_blinn.hpp"
-#include "reports/figures/fresnel_figures.hpp"
-#include "reports/figures/lobe_figures.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -17,9 +15,8 @@ namespace {
 const Refit* find_refit(const Results& results, const Family& family) {
   for (const Refit& refit : results.refits) {
     if (refit.family->info.id != family.id) continue;
-    const bool is_whole = std::all_of(refit.fits.begin(), refit.fits.end(), [](const FitReport& report) {
-      return report.fit.status == Status::converged;
-    });
+    const bool is_whole = std::ranges::all_of(
+        refit.fits, [](const FitReport& report) { return report.fit.status == Status::converged; });
     return is_whole ? &refit : nullptr;
   }
   return nullptr;

@@ -78,16 +78,16 @@ std::string findings_junit(const FindingReport& report) {
   std::size_t tests = report.findings.size();
   std::string cases;
   for (const FindingRule& rule : report.rules) {
-    const bool is_broken = std::any_of(report.findings.begin(), report.findings.end(),
-                                       [&](const Finding& finding) { return finding.rule == rule.id; });
+    const bool is_broken =
+        std::ranges::find(report.findings, rule.id, &Finding::rule) != report.findings.end();
     if (is_broken) continue;
     ++tests;
     cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"/>\n",
                          xml_text(suite + "." + rule.id), xml_text(rule.title));
   }
   for (const Finding& finding : report.findings) cases += test_of(suite, finding, rule_of(report, finding));
-  const auto failures = std::count_if(report.findings.begin(), report.findings.end(), is_failure);
-  const auto skipped = std::count_if(report.findings.begin(), report.findings.end(), is_skipped);
+  const auto failures = std::ranges::count_if(report.findings, is_failure);
+  const auto skipped = std::ranges::count_if(report.findings, is_skipped);
   const std::string counts =
       fmt::format(R"(name="{}" tests="{}" failures="{}" errors="0" skipped="{}" time="0")", xml_text(suite),
                   tests, failures, skipped);

@@ -28,7 +28,7 @@ std::string markdown_text(std::string_view text) {
 /// A table of findings, with what is left out.
 std::string finding_table(const std::vector<const Finding*>& findings, bool has_reasons) {
   if (findings.empty()) return "";
-  Table table{{"level", "place", "rule", "finding"}, {}};
+  Table table{{"level", "place", "rule", "finding"}};
   if (has_reasons) table.columns.emplace_back("reason");
   for (std::size_t i = 0; i < std::min(findings.size(), most_rows); ++i) {
     const Finding& finding = *findings[i];

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "reports/findings/finding_texts.hpp"
 #include "reports/io/utf8.hpp"
@@ -30,7 +31,7 @@ std::string findings_text(const FindingReport& report) {
 }  // namespace
 
 bool passes(const FindingReport& report) {
-  return std::none_of(report.findings.begin(), report.findings.end(), is_failure);
+  return std::ranges::none_of(report.findings, is_failure);
 }
 
 FindingCounts count(const FindingReport& report) {
@@ -76,27 +77,16 @@ std::string summary_of(const FindingReport& report) {
 }
 
 const FindingRule* rule_of(const FindingReport& report, const Finding& finding) {
-  const auto found = std::find_if(report.rules.begin(), report.rules.end(),
-                                  [&](const FindingRule& rule) { return rule.id == finding.rule; });
+  const auto found = std::ranges::find(report.rules, finding.rule, &FindingRule::id);
   return found == report.rules.end() ? nullptr : &*found;
 }
 
 std::string write_findings(const FindingReport& report, FindingFormat format) {
-  switch (format) {
-    case FindingFormat::json:
-      return findings_json(report);
-    case FindingFormat::junit:
-      return findings_junit(report);
-    case FindingFormat::sarif:
-      return findings_sarif(report);
-    case FindingFormat::github:
-      return findings_github(report);
-    case FindingFormat::markdown:
-      return findings_markdown(report);
-    case FindingFormat::text:
-      break;
-  }
-  return findings_text(report);
+  // In the order of `finding_formats`.
+  constexpr std::array writers{findings_text,  findings_json,   findings_junit,
+                               findings_sarif, findings_github, findings_markdown};
+  static_assert(writers.size() == finding_formats.size());
+  return writers.at(static_cast<std::size_t>(format))(report);
 }
 
 }  // namespace shadefit::findings

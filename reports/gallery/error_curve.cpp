@@ -1,4 +1,4 @@
-#include "reports/gallery/error_curve.hpp"
+#include "reports/gallery/pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -33,27 +33,23 @@ ErrorValues values_along(const ReadStudy& study, const std::vector<double>& para
   return values;
 }
 
-/// From the data to the picture: error 0 in the middle, +-`limit` at the edges.
-class Frame {
- public:
-  explicit Frame(double limit) : limit_(limit) {}
-  double x(int step) const { return svg_left + (svg_width - svg_left - svg_right) * step / steps; }
-  double y(double value) const {
-    return svg_top + (svg_height - svg_top - svg_bottom) * (1 - value / limit_) / 2;
-  }
+double x_of(int step) {
+  return svg_left + (svg_width - svg_left - svg_right) * step / steps;
+}
 
- private:
-  double limit_;
-};
+/// Error 0 is in the middle, +-`limit` at the edges.
+double y_of(double value, double limit) {
+  return svg_top + (svg_height - svg_top - svg_bottom) * (1 - value / limit) / 2;
+}
 
 /// A line for each part without a gap.
-std::string polylines(const ErrorValues& values, const Frame& frame, double limit, std::size_t number) {
+std::string polylines(const ErrorValues& values, double limit, std::size_t number) {
   std::string lines, points;
   for (int i = 0; i <= steps + 1; ++i) {
     const double value = i <= steps ? values[static_cast<std::size_t>(i)] : HUGE_VAL;
     if (std::isfinite(value)) {
-      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", frame.x(i),
-                            frame.y(std::clamp(value, -limit, limit)));
+      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", x_of(i),
+                            y_of(std::clamp(value, -limit, limit), limit));
     } else if (!points.empty()) {
       lines += fmt::format("<polyline class=\"curve-{}\" points=\"{}\"/>\n", number, points);
       points.clear();
@@ -62,11 +58,11 @@ std::string polylines(const ErrorValues& values, const Frame& frame, double limi
   return lines;
 }
 
-std::string label(double x, double y, const char* anchor, const std::string& words) {
+}  // namespace
+
+std::string svg_text(double x, double y, const char* anchor, const std::string& words) {
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, words);
 }
-
-}  // namespace
 
 std::string error_curve_svg(const StudyComparison& comparison,
                             const std::vector<const StudyContender*>& contenders) {
@@ -80,19 +76,18 @@ std::string error_curve_svg(const StudyComparison& comparison,
   }
   if (!(limit > 0) || !std::isfinite(limit)) return "";
   limit *= svg_room;
-  const Frame frame(limit);
   const auto number = [](double value) { return text(Number{value, 3}, Precision::report); };
   std::string svg =
       fmt::format("<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"the error over {2}\">\n",
                   svg_width, svg_height, axis.variable);
   svg += fmt::format("<line class=\"axis\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
-                     svg_left, svg_width - svg_right, frame.y(0));
+                     svg_left, svg_width - svg_right, y_of(0, limit));
   for (const double value : {limit / svg_room, 0.0, -limit / svg_room})
-    svg += label(svg_left - 8, frame.y(value) + 4, "end", number(value));
-  svg += label(svg_left, svg_height - 8, "start", number(axis.lower));
-  svg += label((svg_left + svg_width - svg_right) / 2, svg_height - 8, "middle", axis.variable);
-  svg += label(svg_width - svg_right, svg_height - 8, "end", number(axis.upper));
-  for (std::size_t i = 0; i < curves.size(); ++i) svg += polylines(curves[i], frame, limit, i + 1);
+    svg += svg_text(svg_left - 8, y_of(value, limit) + 4, "end", number(value));
+  svg += svg_text(svg_left, svg_height - 8, "start", number(axis.lower));
+  svg += svg_text((svg_left + svg_width - svg_right) / 2, svg_height - 8, "middle", axis.variable);
+  svg += svg_text(svg_width - svg_right, svg_height - 8, "end", number(axis.upper));
+  for (std::size_t i = 0; i < curves.size(); ++i) svg += polylines(curves[i], limit, i + 1);
   return svg + "</svg>\n";
 }
 

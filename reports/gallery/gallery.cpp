@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "reports/gallery/html.hpp"
-#include "reports/gallery/study_page.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
 #include "reports/table/writers.hpp"
@@ -20,7 +19,7 @@ std::string repositories(const std::vector<std::string>& places) {
   std::vector<std::string> names;
   for (const std::string& place : places) {
     const std::string name = place.substr(0, place.find_first_of("@ :"));
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -29,13 +28,10 @@ std::string repositories(const std::vector<std::string>& places) {
 constexpr double rounding_alone = 1e-14;
 
 /// The largest error of a contender, if there is one.
-void append_error(std::vector<Cell>& row, const StudyContender* contender) {
-  if (contender == nullptr) {
-    row.push_back(Cell{});
-  } else {
-    const double error = contender->max_error.magnitude;
-    row.push_back(error < rounding_alone ? word("exact") : Cell{Number{error, 4}});
-  }
+Cell error_of(const StudyContender* contender) {
+  if (contender == nullptr) return {};
+  const double error = contender->max_error.magnitude;
+  return error < rounding_alone ? word("exact") : Cell{Number{error, 4}};
 }
 
 std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& comparison,
@@ -50,7 +46,7 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
       Number{published.max_error.magnitude, 4},
       static_cast<long>(published.operations.total())};
   const StudyContender* best = better_at_the_same_cost(comparison, published);
-  append_error(row, best);
+  row.push_back(error_of(best));
   if (best == nullptr) {
     row.insert(row.end(), 3, Cell{});
   } else {
@@ -60,7 +56,7 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
                 static_cast<long>(best->operations.total()), best->form + ", " + best->origin});
   }
   const StudyContender* least = least_error_at_the_same_cost(comparison, published);
-  append_error(row, least == best ? nullptr : least);
+  row.push_back(error_of(least == best ? nullptr : least));
   row.push_back(least == best ? Cell{}
                               : Cell{to_text(lost_properties(published.properties, least->properties))});
   return row;
@@ -95,10 +91,9 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
   for (const JudgedStudy& study : all)
     if (!study.is_published) others += fmt::format(" <a href=\"{0}.html\">{0}</a>", html_text(study.id));
   const auto studies =
-      std::count_if(all.begin(), all.end(), [](const JudgedStudy& study) { return study.is_published; });
-  const auto improved = std::count_if(rows.rows.begin(), rows.rows.end(), [](const auto& row) {
-    return !std::holds_alternative<std::monostate>(row[8]);
-  });
+      std::ranges::count_if(all, [](const JudgedStudy& study) { return study.is_published; });
+  const auto improved = std::ranges::count_if(
+      rows.rows, [](const auto& row) { return !std::holds_alternative<std::monostate>(row[8]); });
   const std::string body =
       fmt::format(
           "<h1>Published constants of shading, judged and improved</h1>\n"
@@ -131,8 +126,7 @@ JudgedStudy judged_study(const GalleryEntry& entry) {
 
 Table gallery_table(const std::vector<JudgedStudy>& studies) {
   Table table{{"id", "form", "source", "used_in", "verdict", "error", "published", "instructions", "best",
-               "ratio", "best_instructions", "best_form", "least", "loses"},
-              {}};
+               "ratio", "best_instructions", "best_form", "least", "loses"}};
   for (const JudgedStudy& study : studies)
     table.rows.insert(table.rows.end(), study.rows.begin(), study.rows.end());
   return table;

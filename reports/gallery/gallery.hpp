@@ -27,6 +27,10 @@ struct JudgedStudy {
 
 JudgedStudy judged_study(const GalleryEntry& entry);
 
+/// The page of a study: what it approximates, each published set with its verdict, the errors as a picture,
+/// the comparison, and code to copy.
+std::string study_page(const GalleryEntry& entry);
+
 /// A row for each published set: `id,form,source,used_in,verdict,error,published,instructions,best,ratio,
 /// best_instructions,best_form,least,loses`. `best` keeps the properties of the published set. `least` is the
 /// error of a fit with a smaller error that loses some of them.

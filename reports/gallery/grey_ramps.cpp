@@ -1,4 +1,4 @@
-#include "reports/gallery/grey_ramps.hpp"
+#include "reports/gallery/pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -23,8 +23,7 @@ long grey_of(double value, bool is_encoded) {
 /// A rectangle for each part of the same grey.
 std::string ramp(const std::vector<double>& values, bool is_encoded, double top, const std::string& name) {
   const double step = ramp_width / static_cast<double>(values.size());
-  std::string svg = fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>\n",
-                                ramp_left - 8, top + ramp_height / 2 + 4, name);
+  std::string svg = svg_text(ramp_left - 8, top + ramp_height / 2 + 4, "end", name);
   for (std::size_t first = 0, i = 0; i < values.size(); ++i) {
     const long grey = grey_of(values[i], is_encoded);
     if (i + 1 < values.size() && grey_of(values[i + 1], is_encoded) == grey) continue;

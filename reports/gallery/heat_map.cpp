@@ -1,4 +1,4 @@
-#include "reports/gallery/heat_map.hpp"
+#include "reports/gallery/pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -65,22 +65,18 @@ std::string cells(const ErrorMap& errors, double limit, double left) {
                      left, map_top, map_size, map_size);
 }
 
-std::string map_label(double x, double y, const char* anchor, const std::string& words) {
-  return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, words);
-}
-
 std::string labels(const ErrorMap& errors, const std::vector<std::string>& variables, double left,
                    const std::string& title) {
   const auto number = [](double value) { return text(Number{value, 3}, Precision::report); };
   const auto& column = errors.begin()->second;
   const double below = map_top + map_size + 18;
-  return map_label(left, map_top - 8, "start", title) +
-         map_label(left, below, "start", number(errors.begin()->first)) +
-         map_label(left + map_size / 2, below, "middle", variables[0]) +
-         map_label(left + map_size, below, "end", number(errors.rbegin()->first)) +
-         map_label(left - 6, map_top + map_size, "end", number(column.begin()->first)) +
-         map_label(left - 6, map_top + map_size / 2, "end", variables[1]) +
-         map_label(left - 6, map_top + 10, "end", number(column.rbegin()->first));
+  return svg_text(left, map_top - 8, "start", title) +
+         svg_text(left, below, "start", number(errors.begin()->first)) +
+         svg_text(left + map_size / 2, below, "middle", variables[0]) +
+         svg_text(left + map_size, below, "end", number(errors.rbegin()->first)) +
+         svg_text(left - 6, map_top + map_size, "end", number(column.begin()->first)) +
+         svg_text(left - 6, map_top + map_size / 2, "end", variables[1]) +
+         svg_text(left - 6, map_top + 10, "end", number(column.rbegin()->first));
 }
 
 }  // namespace

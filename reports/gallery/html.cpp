@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -126,24 +129,12 @@ std::string class_of_cell(std::string_view words, bool in_a_column_of_numbers) {
 }  // namespace
 
 std::string html_text(std::string_view text) {
+  constexpr std::array<std::pair<char, std::string_view>, 4> references{
+      {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
   std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
+  for (const char& c : text) {
+    const auto* found = std::ranges::find(references, c, &std::pair<char, std::string_view>::first);
+    out += found == references.end() ? std::string_view(&c, 1) : found->second;
   }
   return out;
 }

@@ -1,4 +1,4 @@
-#include "reports/gallery/study_page.hpp"
+#include "reports/gallery/gallery.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +10,9 @@
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
-#include "reports/gallery/error_curve.hpp"
-#include "reports/gallery/grey_ramps.hpp"
-#include "reports/gallery/heat_map.hpp"
 #include "reports/gallery/html.hpp"
+#include "reports/gallery/pictures.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/rounded.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_report.hpp"
@@ -32,10 +31,9 @@ std::string facts(const std::vector<std::string>& lines) {
 std::vector<const StudyContender*> shown(const StudyComparison& comparison) {
   if (comparison.contenders.empty()) return {};
   const StudyContender* published = first_published(comparison);
-  const StudyContender* first = published == nullptr ? &comparison.contenders.front() : published;
-  std::vector<const StudyContender*> contenders{first};
-  const StudyContender* best = published == nullptr ? nullptr : better_at_the_same_cost(comparison, *first);
-  if (best != nullptr) contenders.push_back(best);
+  if (published == nullptr) return {&comparison.contenders.front()};
+  std::vector<const StudyContender*> contenders{published};
+  if (const auto* best = better_at_the_same_cost(comparison, *published)) contenders.push_back(best);
   return contenders;
 }
 
@@ -92,44 +90,32 @@ std::string picture(const StudyComparison& comparison) {
 }
 
 std::string evidence_in_words(const ContenderInFormat& in_format) {
-  switch (in_format.evidence) {
-    case ContenderInFormat::Evidence::none:
-      return in_format.reason;
-    case ContenderInFormat::Evidence::proven:
-      return "proven";
-    case ContenderInFormat::Evidence::every_number:
-      return fmt::format("every {} of the range", in_format.format);
-    case ContenderInFormat::Evidence::every_row:
-      return "every row";
-  }
-  return "";
+  using Evidence = ContenderInFormat::Evidence;
+  if (in_format.evidence == Evidence::none) return in_format.reason;
+  if (in_format.evidence == Evidence::proven) return "proven";
+  return in_format.evidence == Evidence::every_row ? "every row"
+                                                   : fmt::format("every {} of the range", in_format.format);
 }
 
 /// The rows of one contender: its constants in float and in half, and its errors there.
 void append_formats(const StudyContender& contender, Table& table) {
   constexpr int digits = 4;  // the proven bounds are as wide
   for (const ContenderInFormat& in_format : contender.formats) {
-    std::vector<std::string> constants;
-    for (const auto& [name, number] : in_format.constants) constants.push_back(name + " = " + number);
     const bool is_bounded = in_format.evidence != ContenderInFormat::Evidence::none;
-    table.rows.push_back(
-        {contender.published != nullptr ? "published"
-         : in_format.is_moved           ? "searched in half"
-                                        : "better",
-         contender.form, word(in_format.format), fmt::format("{}", fmt::join(constants, ", ")),
-         is_bounded ? at_most(in_format.bound, digits) : Cell{}, evidence_in_words(in_format)});
+    table.rows.push_back({contender.published != nullptr ? "published"
+                          : in_format.is_moved           ? "searched in half"
+                                                         : "better",
+                          contender.form, word(in_format.format), equations(in_format.constants),
+                          is_bounded ? at_most(in_format.bound, digits) : Cell{},
+                          evidence_in_words(in_format)});
   }
 }
 
 /// Why a page has no constants in float and half; empty if nothing speaks against them.
-std::string reason_without_formats(const StudyComparison& comparison) {
-  const StudyContender* published = first_published(comparison);
-  if (published == nullptr) return "the study has no published set";
-  return fault_of(subject_of(comparison.study, *published));
-}
-
 std::string without_formats(const StudyComparison& comparison) {
-  const std::string reason = reason_without_formats(comparison);
+  const StudyContender* published = first_published(comparison);
+  const std::string reason = published == nullptr ? "the study has no published set"
+                                                  : fault_of(subject_of(comparison.study, *published));
   if (reason.empty()) return "";
   return fmt::format(
       "<h2>In float and half{}</h2>\n<p>The constants are not rounded to float and half: {}.</p>\n",
@@ -154,7 +140,7 @@ std::string formats(const StudyComparison& comparison) {
 
 /// An id as the name of a function: letters, digits and '_'.
 std::string function_name(std::string id) {
-  std::replace(id.begin(), id.end(), '-', '_');
+  std::ranges::replace(id, '-', '_');
   return id;
 }
 

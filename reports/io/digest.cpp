@@ -1,8 +1,8 @@
 #include "reports/io/digest.hpp"
 
-#include <array>
+#include <fmt/format.h>
+
 #include <boost/crc.hpp>
-#include <cstdio>
 
 namespace shadefit {
 
@@ -14,9 +14,7 @@ unsigned crc_of(std::string_view bytes) {
 
 std::string digest_of(nlohmann::ordered_json json) {
   json.erase(digest_field);
-  std::array<char, 9> text{};
-  std::snprintf(text.data(), text.size(), "%08x", crc_of(json.dump()));
-  return text.data();
+  return fmt::format("{:08x}", crc_of(json.dump()));
 }
 
 }  // namespace shadefit

@@ -294,8 +294,8 @@ Pictures draw_pictures(const fs::path& gnuplot, const std::vector<File>& files,
   pictures.failed = draw_plots(gnuplot, scratch.path() / "plots", names, checkpoint);
   checkpoint();
   for (const std::string& name : names) {
-    const bool has_failed = std::any_of(pictures.failed.begin(), pictures.failed.end(),
-                                        [&](const FailedPlot& plot) { return plot.name == name; });
+    const bool has_failed =
+        std::ranges::find(pictures.failed, name, &FailedPlot::name) != pictures.failed.end();
     if (has_failed) continue;
     const std::string file = "plots/" + picture_file(name);
     pictures.files.push_back({file, marked_picture(file, read_file(scratch.path() / file))});

@@ -3,32 +3,24 @@
 #include <string>
 #include <string_view>
 
+#include "reports/io/joined.hpp"
+
 /// Texts in a script for gnuplot.
 namespace shadefit {
 
 /// A text as gnuplot's expression for it. In single quotes only the quote is special. gnuplot 5.4 misreads
 /// two quotes at the start or in the middle, so each quote becomes a separate string.
 inline std::string gnuplot_quoted(std::string_view text) {
-  std::string quoted = "'";
-  for (const char letter : text) {
-    if (letter == '\'') {
-      quoted += R"('."\047".')";
-    } else {
-      quoted += letter;
-    }
-  }
-  return quoted + "'";
+  const auto part = [](char c) { return c == '\'' ? std::string(R"('."\047".')") : std::string(1, c); };
+  return "'" + joined(text, "", part) + "'";
 }
 
 /// A text that gnuplot's enhanced text shows unchanged.
 inline std::string gnuplot_unmarked(std::string_view text) {
   constexpr std::string_view markup = R"(\^_{}@&~)";
-  std::string unmarked;
-  for (const char letter : text) {
-    if (markup.find(letter) != markup.npos) unmarked += '\\';
-    unmarked += letter;
-  }
-  return unmarked;
+  return joined(text, "", [&](char c) {
+    return markup.find(c) == markup.npos ? std::string(1, c) : std::string{'\\', c};
+  });
 }
 
 }  // namespace shadefit

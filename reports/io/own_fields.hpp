@@ -55,6 +55,27 @@ class OwnFields {
     return json.get<std::string>();
   }
 
+  std::vector<std::string> texts(const char* key) const {
+    std::vector<std::string> values;
+    for (const Json& item : list(key)) values.push_back(text_of(item, key));
+    return values;
+  }
+  /// The members of an object of texts.
+  std::vector<std::pair<std::string, std::string>> members(const char* key) const {
+    if (!field(key).is_object()) fail(key, "is not an object");
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const auto& [name, value] : field(key).items()) texts.emplace_back(name, text_of(value, key));
+    return texts;
+  }
+  /// What a text stands for.
+  template <class T>
+  T choice(const char* key, const std::vector<std::pair<std::string_view, T>>& known) const {
+    for (const auto& [name, value] : known) {
+      if (name == text(key)) return value;
+    }
+    fail(key, "is unknown: '" + text(key) + "'");
+  }
+
   /// A whole number >= 0 that T can hold.
   template <std::integral T>
   T whole(const char* key) const {
@@ -83,6 +104,12 @@ class OwnFields {
     return values;
   }
 
+  /// A pair of such numbers.
+  std::pair<double, double> interval(const char* key) const {
+    const Json& ends = pair(key);
+    return {number_of(ends[0], key), number_of(ends[1], key)};
+  }
+
   /// Refuses a file of another kind, or of another version of it.
   void require_kind(std::string_view kind, int schema) const {
     if (text("file") != kind) fail("file", fmt::format("does not say '{}'", kind));
@@ -90,6 +117,16 @@ class OwnFields {
       throw UserError(
           fmt::format("{} is of version {}: this shadefit reads version {}", file_, found, schema));
     }
+  }
+
+  /// What is wrong with the digest, in words; empty if nothing is.
+  std::string fault_of_digest() const {
+    const std::string stated = text(digest_field), digest = digest_of(json_);
+    return stated == digest ? ""
+                            : fmt::format(
+                                  "its digest is {}, that of its fields is {}: it was changed after it "
+                                  "was written",
+                                  stated, digest);
   }
 
   /// Refuses fields whose digest is not the stated one.

@@ -72,8 +72,7 @@ std::string_view beginning_of(std::string_view text) {
 bool are_columns_alike(const std::string& a, const std::string& b) {
   constexpr auto fewest = 2;                                              // commas
   const std::string &shorter = std::min(a, b), &longer = std::max(a, b);  // of a prefix and the whole
-  return a == b ||
-         (std::count(shorter.begin(), shorter.end(), ',') >= fewest && longer.starts_with(shorter + ","));
+  return a == b || (std::ranges::count(shorter, ',') >= fewest && longer.starts_with(shorter + ","));
 }
 
 bool begins_alike(const std::string& name, std::string_view there, std::string_view ours) {

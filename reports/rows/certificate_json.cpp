@@ -1,12 +1,13 @@
 #include "reports/rows/certificate_json.hpp"
 
 #include <optional>
-#include <utility>
+#include <tuple>
 
 #include "fit/support/hex_float.hpp"
 #include "fit/support/json_document.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/own_fields.hpp"
+#include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
@@ -17,12 +18,6 @@ constexpr const char* kind_of_file = "shadefit certificate";
 
 std::string_view name(Origin side) {
   return side == Origin::peak ? "1 - c" : "c";
-}
-
-Json hex_list(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(hex_text(value));
-  return list;
 }
 
 Json places_json(const std::vector<Box>& places) {
@@ -41,16 +36,6 @@ Json surface_json(const Surface& surface) {
           {"extinction", hex_text(surface.extinction)}};
 }
 
-/// One of the texts that stand for values.
-template <class T>
-T choice(const OwnFields& fields, const char* key, const std::vector<std::pair<std::string_view, T>>& known) {
-  const std::string text = fields.text(key);
-  for (const auto& [name, value] : known) {
-    if (name == text) return value;
-  }
-  fields.fail(key, "is unknown: '" + text + "'");
-}
-
 const std::vector<std::pair<std::string_view, Origin>> origins{{name(Origin::horizon), Origin::horizon},
                                                                {name(Origin::peak), Origin::peak}};
 
@@ -62,31 +47,25 @@ Surface read_surface(const OwnFields& fields) {
     any.f0 = surface.number("f0");
     return any;
   }
-  return {
-      choice<Surface::Formula>(surface, "formula",
-                               {{"exact", Surface::Formula::exact}, {"schlick", Surface::Formula::schlick}}),
-      surface.number("ior"), surface.number("extinction"), std::nullopt};
+  return {surface.choice<Surface::Formula>(
+              "formula", {{"exact", Surface::Formula::exact}, {"schlick", Surface::Formula::schlick}}),
+          surface.number("ior"), surface.number("extinction"), std::nullopt};
 }
 
 Subject read_subject(const OwnFields& fields) {
   Subject subject;
   subject.family = fields.text("family");
-  if (!fields.field("parameters").is_object()) fields.fail("parameters", "is not an object");
-  for (const auto& [key, value] : fields.field("parameters").items())
-    subject.parameters.emplace_back(key, fields.text_of(value, "parameters"));
+  subject.parameters = fields.members("parameters");
   subject.setting.exponent = fields.field("exponent").is_null() ? 0 : fields.number("exponent");
   subject.setting.surface = read_surface(fields);
-  subject.error = choice<Error>(
-      fields, "error", {{name(Error::absolute), Error::absolute}, {name(Error::relative), Error::relative}});
-  const Json& domain = fields.pair("domain");
-  subject.domain = {fields.number_of(domain[0], "domain"), fields.number_of(domain[1], "domain")};
+  subject.error = fields.choice("error", named_errors);
+  std::tie(subject.domain.lower, subject.domain.upper) = fields.interval("domain");
   return subject;
 }
 
 CurveShape read_curve(const OwnFields& fields) {
   CurveShape curve;
-  for (const Json& item : fields.list("proven")) {
-    const std::string text = fields.text_of(item, "proven");
+  for (const std::string& text : fields.texts("proven")) {
     if (text == "falls with the angle" || text == "rises with the angle") {
       if (curve.trend != Trend::none) fields.fail("proven", "says twice how the form goes with the angle");
       curve.trend = text.starts_with("falls") ? Trend::falls : Trend::rises;
@@ -103,10 +82,14 @@ CurveShape read_curve(const OwnFields& fields) {
 
 }  // namespace
 
+Json hex_list(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(hex_text(value));
+  return list;
+}
+
 Json write_certificate_json(const Certificate& certificate) {
   const Subject& subject = certificate.subject;
-  Json parameters = Json::object();
-  for (const auto& [key, value] : subject.parameters) parameters[key] = value;
   Json proven = Json::array();
   const CurveShape& curve = certificate.curve;
   if (curve.trend != Trend::none) proven.push_back(std::string(name(curve.trend)) + " with the angle");
@@ -117,7 +100,7 @@ Json write_certificate_json(const Certificate& certificate) {
             {"family", subject.family},
             {"target", certificate.target},
             {"form", certificate.form},
-            {"parameters", parameters},
+            {"parameters", json_object(subject.parameters)},
             {"exponent", subject.setting.exponent > 0 ? Json(hex_text(subject.setting.exponent)) : Json()},
             {"surface", surface_json(subject.setting.surface)},
             {"error", name(subject.error)},
@@ -138,29 +121,22 @@ std::string certificate_text(const Certificate& certificate) {
   return write_certificate_json(certificate).dump(1) + "\n";
 }
 
-ReadCertificate read_certificate(const std::string& text, const std::string& name) {
+ReadCertificate<Certificate> read_certificate(const std::string& text, const std::string& name) {
   const std::string file = "certificate '" + name + "'";
   const Json json = parse_own_json(text, file);
   const OwnFields fields(json, file);
   fields.require_kind(kind_of_file, certificate_schema);
-  ReadCertificate result;
-  const std::string digest = digest_of(json);
-  if (const std::string stated = fields.text(digest_field); stated != digest)
-    result.refused = "its digest is " + stated + ", that of its fields is " + digest +
-                     ": it was changed after it was written";
+  ReadCertificate<Certificate> result{.refused = fields.fault_of_digest()};
   Certificate& certificate = result.certificate;
   certificate.subject = read_subject(fields);
   certificate.target = fields.text("target");
   certificate.form = fields.text("form");
-  const Json& largest = fields.pair("largest");
-  certificate.lower = fields.number_of(largest[0], "largest");
-  certificate.upper = fields.number_of(largest[1], "largest");
+  std::tie(certificate.lower, certificate.upper) = fields.interval("largest");
   const OwnFields attained = fields.inner("attained");
-  certificate.attained = {choice<Origin>(attained, "of", origins), attained.number("at")};
+  certificate.attained = {attained.choice("of", origins), attained.number("at")};
   for (const Json& item : fields.list("places")) {
     const OwnFields place = fields.item(item);
-    certificate.places.push_back(
-        {choice<Origin>(place, "of", origins), place.number("from"), place.number("to")});
+    certificate.places.push_back({place.choice("of", origins), place.number("from"), place.number("to")});
   }
   certificate.curve = read_curve(fields);
   certificate.precision = fields.whole<int>("precision");

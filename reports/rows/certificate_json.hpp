@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fit/proof/certificate.hpp"
 
@@ -23,21 +26,29 @@ inline constexpr int certificate_schema = 1;
 /// 3 MB.
 inline constexpr std::uintmax_t most_certificate_bytes = 4U << 20;
 
+/// The kinds of errors by their names in files.
+inline const std::vector<std::pair<std::string_view, Error>> named_errors{
+    {name(Error::absolute), Error::absolute}, {name(Error::relative), Error::relative}};
+
+/// Numbers as `hex_text` writes them.
+nlohmann::ordered_json hex_list(const std::vector<double>& values);
+
 /// A certificate with its digest.
 nlohmann::ordered_json write_certificate_json(const Certificate& certificate);
 
 /// The same as the text of a file.
 std::string certificate_text(const Certificate& certificate);
 
-/// The result of reading a file: a certificate, or the reason to refuse it.
+/// The result of reading a file: a certificate, of a family or a study, or the reason to refuse it.
+template <class AnyCertificate>
 struct ReadCertificate {
-  Certificate certificate;
+  AnyCertificate certificate = {};
   std::string refused;  ///< empty; else that its digest is not that of its fields
 };
 
 /// Reads a certificate. `name` is for messages. Throws UserError with one line if `parse_own_json` refuses
 /// the text, if it is not a certificate or has another version, if a field is missing, or if a field is not
 /// as shadefit writes it.
-ReadCertificate read_certificate(const std::string& text, const std::string& name);
+ReadCertificate<Certificate> read_certificate(const std::string& text, const std::string& name);
 
 }  // namespace shadefit

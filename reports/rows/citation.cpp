@@ -67,7 +67,7 @@ bool are_names(const std::string& authors) {
   for (std::size_t from = 0; from <= authors.size();) {
     const std::size_t end = std::min(authors.find(" and ", from), authors.size());
     const std::string name = authors.substr(from, end - from);
-    if (name.empty() || std::count(name.begin(), name.end(), ' ') > 1) return false;
+    if (name.empty() || std::ranges::count(name, ' ') > 1) return false;
     from = end + 5;
   }
   return true;
@@ -79,10 +79,21 @@ NamedWork named_work(std::string_view text) {
     if (at < 6 || text[at - 5] != ' ') continue;
     const std::string_view year = text.substr(at - 4, 4);
     const std::string author = with_and(text.substr(0, at - 5));
-    if (std::all_of(year.begin(), year.end(), is_digit) && are_names(author))
+    if (std::ranges::all_of(year, is_digit) && are_names(author))
       return {author, std::string(year), std::string(text.substr(at + 2))};
   }
   return {"", "", std::string(text)};
+}
+
+/// Calls `use` with each id of the ledger and the catalogue and a source that it has.
+template <class Use>
+void for_each_cited(const Use& use) {
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) use(claim.id, claim.source);
+  }
+  for (const Published& published : published_constants) {
+    for (const std::string_view id : {published.id, published.family}) use(id, published.source);
+  }
 }
 
 }  // namespace
@@ -146,31 +157,16 @@ std::string bibtex_of_shadefit(std::string_view version) {
 
 std::vector<std::string> cited_ids() {
   std::set<std::string> ids;
-  for (const Topic& topic : ledger) {
-    for (const Claim& claim : topic.claims) ids.emplace(claim.id);
-  }
-  for (const Published& published : published_constants) {
-    ids.emplace(published.id);
-    ids.emplace(published.family);
-  }
+  for_each_cited([&](std::string_view id, const Source&) { ids.emplace(id); });
   return {ids.begin(), ids.end()};
 }
 
 std::vector<Source> sources_of(std::string_view id) {
   std::vector<Source> found;
-  const auto add = [&](const Source& source) {
-    const bool is_there = std::any_of(found.begin(), found.end(),
-                                      [&](const Source& other) { return other.title == source.title; });
-    if (!is_there) found.push_back(source);
-  };
-  for (const Topic& topic : ledger) {
-    for (const Claim& claim : topic.claims) {
-      if (claim.id == id) add(claim.source);
-    }
-  }
-  for (const Published& published : published_constants) {
-    if (published.id == id || published.family == id) add(published.source);
-  }
+  for_each_cited([&](std::string_view cited, const Source& source) {
+    const bool is_there = std::ranges::find(found, source.title, &Source::title) != found.end();
+    if (cited == id && !is_there) found.push_back(source);
+  });
   return found;
 }
 

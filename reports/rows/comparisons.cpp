@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/io/joined.hpp"
+#include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
 
 namespace shadefit {
@@ -40,10 +42,6 @@ long instructions(const Contender& contender) {
   return contender.operations.total();
 }
 
-std::string beaten(const Contender& contender, const char* separator) {
-  return fmt::format("{}", fmt::join(contender.beats, separator));
-}
-
 /// "fresnel-quadratic-a", "schlick", "target", "fresnel-cubic minimax absolute error": the name of a curve
 /// for programs.
 std::string curve_id(const Contender& contender) {
@@ -59,13 +57,13 @@ std::string origin_of(const Contender& contender) {
 
 Table table_of(const Comparison& comparison, int digits, int most_digits) {
   Table table{{"form", "constants", "from", "max abs error", "at c", "max rel error", "rms error",
-               "operations", "instructions", "beats"},
-              {}};
+               "operations", "instructions", "beats"}};
   for (const Contender& contender : comparison.contenders) {
     table.rows.push_back({contender.form, constants_text(contender, Precision::report, most_digits),
                           origin_of(contender), shown_error(contender, digits), place_of_error(contender),
                           relative_error(contender, digits), Number{contender.rms_error, digits},
-                          to_text(contender.operations), instructions(contender), beaten(contender, ", ")});
+                          to_text(contender.operations), instructions(contender),
+                          joined(contender.beats, ", ")});
   }
   return with_digits(std::move(table), most_digits);
 }
@@ -96,11 +94,17 @@ Json contender_json(const Contender& contender) {
           {"printed", printed},
           {"certified_max_abs_error", {contender.max_abs_error.lower, contender.max_abs_error.upper}},
           {"max_abs_error_at", contender.at ? Json(contender.at->cos_theta) : Json()},
-          {"max_rel_error", contender.max_rel_error ? Json(*contender.max_rel_error) : Json()},
+          {"max_rel_error", optional_json(contender.max_rel_error)},
           {"rms_error", contender.rms_error},
           {"operations", to_text(contender.operations)},
           {"instructions", instructions(contender)},
           {"beats", contender.beats}};
+}
+
+Json rounded_json(const FittableFamily& family, const RoundedConstants& constants) {
+  return {{"parameters", json_object(family.parameters, constants.parameters)},
+          {"max_abs_error", constants.max_error},
+          {"at", constants.at}};
 }
 
 }  // namespace
@@ -122,8 +126,7 @@ Table short_comparison_table(const Comparison& comparison) {
 
 Table comparisons_table(const std::vector<Comparison>& comparisons, Precision precision) {
   Table table{{"constant", "exponent", "target", "domain", "curve", "form", "parameters", "max_abs_error",
-               "max_abs_error_at", "max_rel_error", "rms_error", "operations", "instructions", "beats"},
-              {}};
+               "max_abs_error_at", "max_rel_error", "rms_error", "operations", "instructions", "beats"}};
   for (const Comparison& comparison : comparisons) {
     const FittableFamily& family = *comparison.family;
     for (const Contender& contender : comparison.contenders) {
@@ -136,7 +139,7 @@ Table comparisons_table(const std::vector<Comparison>& comparisons, Precision pr
                             curve_id(contender), contender.form, constants_text(contender, precision), error,
                             place_of_error(contender), relative_error(contender, 4),
                             Number{contender.rms_error, 4}, to_text(contender.operations),
-                            instructions(contender), beaten(contender, " ")});
+                            instructions(contender), joined(contender.beats, " ")});
     }
   }
   return table;
@@ -156,37 +159,17 @@ Json write_comparison_json(const Comparison& comparison) {
           {"left_out", comparison.left_out}};
 }
 
-namespace {
-
-/// "a = -5.492, b = -7.008".
-std::string rounded_text(const FittableFamily& family, const RoundedConstants& constants) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < constants.texts.size(); ++i)
-    parts.push_back(fmt::format("{} = {}", family.parameters[i], constants.texts[i]));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-Json rounded_json(const FittableFamily& family, const RoundedConstants& constants) {
-  Json parameters = Json::object();
-  for (std::size_t i = 0; i < constants.parameters.size(); ++i)
-    parameters[std::string(family.parameters[i])] = constants.parameters[i];
-  return {{"parameters", parameters}, {"max_abs_error", constants.max_error}, {"at", constants.at}};
-}
-
-}  // namespace
-
 Table half_table(const std::vector<CurveInHalf>& curves) {
-  Table table{{"curve", "published, rounded", "max abs error", "best in half", "max abs error", "best of"},
-              {}};
+  Table table{{"curve", "published, rounded", "max abs error", "best in half", "max abs error", "best of"}};
   for (const CurveInHalf& curve : curves) {
     if (!curve.rounded || !curve.rounded->published) {
       table.rows.push_back({std::string(curve.published), curve.reason, Cell(), Cell(), Cell(), Cell()});
       continue;
     }
-    const FittableFamily& family = *find_family(curve.family);
+    const auto names = find_family(curve.family)->parameters;
     const Rounded& rounded = *curve.rounded;
-    table.rows.push_back({std::string(curve.published), rounded_text(family, *rounded.published),
-                          Number{rounded.published->max_error, 6}, rounded_text(family, rounded.best),
+    table.rows.push_back({std::string(curve.published), equations(names, rounded.published->texts),
+                          Number{rounded.published->max_error, 6}, equations(names, rounded.best.texts),
                           Number{rounded.best.max_error, 6},
                           (rounded.is_proven ? "" : "not proven: ") + rounded.searched});
   }
@@ -221,10 +204,8 @@ std::string not_reached_lines(const Comparison& comparison) {
   return lines;
 }
 
-std::string left_out_lines(const Comparison& comparison) {
-  std::string lines;
-  for (const std::string& fit : comparison.left_out) lines += "Left out: " + fit + "\n";
-  return lines;
+std::string left_out_lines(const std::vector<std::string>& left_out) {
+  return joined(left_out, "", [](const std::string& fit) { return "Left out: " + fit + "\n"; });
 }
 
 }  // namespace shadefit

@@ -38,7 +38,7 @@ nlohmann::ordered_json write_half_json(const std::vector<CurveInHalf>& curves);
 /// A line for each curve whose bounds are wider than requested.
 std::string not_reached_lines(const Comparison& comparison);
 
-/// A line for each fit without a row, because it did not converge.
-std::string left_out_lines(const Comparison& comparison);
+/// A line for each fit of a comparison without a row, because it did not converge.
+std::string left_out_lines(const std::vector<std::string>& left_out);
 
 }  // namespace shadefit

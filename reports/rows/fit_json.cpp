@@ -71,8 +71,8 @@ Json assessment_json(const Assessment& assessment) {
 std::vector<const Assessment*> principal(const FittableFamily& family, const FitReport& report) {
   std::vector<const Assessment*> found;
   for (const std::string_view parameter : family.parameters) {
-    const auto first = std::find_if(report.assessments.begin(), report.assessments.end(),
-                                    [&](const Assessment& a) { return a.published->parameter == parameter; });
+    const auto first = std::ranges::find_if(
+        report.assessments, [&](const Assessment& a) { return a.published->parameter == parameter; });
     if (first != report.assessments.end()) found.push_back(&*first);
   }
   return found;
@@ -87,10 +87,7 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
 
   const auto f0 = family.is_fresnel() ? std::optional(normal_reflectance<double>(fit.surface)) : std::nullopt;
 
-  Json parameters, published;
-  for (std::size_t i = 0; i < family.parameters.size(); ++i)
-    parameters[std::string(family.parameters[i])] = answer(fit.parameters[i]);
-  Json verdict;
+  Json published, verdict;
   Verdict worst = Verdict::confirmed;
   for (const Assessment* a : principal(family, report)) {
     published[std::string(a->published->parameter)] = constant<double>(a->published->printed);
@@ -102,8 +99,8 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
 
   return {{"schema", fit_json_schema},
           {"constant", family.info.id},
-          {"exponent", fit.exponent ? Json(*fit.exponent) : Json()},
-          {"parameters", parameters},
+          {"exponent", optional_json(fit.exponent)},
+          {"parameters", json_object(family.parameters, fit.parameters, answer)},
           {"published", published},
           {"verdict", verdict},
           {"rms_error", answer(fit.rms_error)},
@@ -129,24 +126,22 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
 
 Json write_derived_json(const Assessment& a) {
   const std::string parameter(a.published->parameter);
-  return {{"schema", fit_json_schema},
-          {"constant", a.published->id},
-          {"exponent", nullptr},
-          {"parameters", {{parameter, a.computed}}},
-          {"published", {{parameter, constant<double>(a.published->printed)}}},
-          {"verdict", name(a.judgement.verdict)},
-          {"rms_error", nullptr},
-          {"max_abs_error", nullptr},
-          {"max_abs_error_at", nullptr},
-          {"max_rel_error", nullptr},
-          {"max_rel_error_at", nullptr},
-          {"relative_domain", nullptr},
-          {"relative_to", "a mean or limit of fits has no curve of its own"},
-          {"status", name(Status::converged)},
-          {"iterations", nullptr},
-          {"digits", nullptr},
-          {"objective", objective_json(a.metric, std::nullopt)},
-          {"assessments", Json::array({assessment_json(a)})}};
+  Json json{{"schema", fit_json_schema},
+            {"constant", a.published->id},
+            {"exponent", nullptr},
+            {"parameters", {{parameter, a.computed}}},
+            {"published", {{parameter, constant<double>(a.published->printed)}}},
+            {"verdict", name(a.judgement.verdict)}};
+  for (const char* key : {"rms_error", "max_abs_error", "max_abs_error_at", "max_rel_error",
+                          "max_rel_error_at", "relative_domain"})
+    json[key] = nullptr;
+  json.update({{"relative_to", "a mean or limit of fits has no curve of its own"},
+               {"status", name(Status::converged)},
+               {"iterations", nullptr},
+               {"digits", nullptr},
+               {"objective", objective_json(a.metric, std::nullopt)},
+               {"assessments", Json::array({assessment_json(a)})}});
+  return json;
 }
 
 }  // namespace shadefit

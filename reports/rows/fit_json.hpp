@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,9 +14,27 @@ namespace shadefit {
 /// The version of the objects below; it grows when a field changes its meaning, not when one is added.
 inline constexpr int fit_json_schema = 1;
 
-/// The number, or null.
-inline nlohmann::ordered_json optional_json(const std::optional<double>& value) {
+/// The value, or null.
+template <class T>
+nlohmann::ordered_json optional_json(const std::optional<T>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+/// An object with these names and, of each, the value that `of` makes.
+template <class Names, class Values, class Of = std::identity>
+nlohmann::ordered_json json_object(const Names& names, const Values& values, const Of& of = {}) {
+  auto object = nlohmann::ordered_json::object();
+  auto value = std::begin(values);
+  for (const auto& name : names) object[std::string(name)] = of(*value++);
+  return object;
+}
+
+/// The same of pairs of a name and a value.
+template <class Pairs>
+nlohmann::ordered_json json_object(const Pairs& pairs) {
+  auto object = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : pairs) object[name] = value;
+  return object;
 }
 
 /// A JSON value as a file or a reader gets it.

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "fit/proof/enclosure.hpp"
+#include "reports/io/joined.hpp"
+#include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
@@ -52,30 +54,22 @@ Json places_json(const Certificate& certificate) {
   return list;
 }
 
-Json ranges_json(const FittableFamily& family, const std::vector<StationaryPoint::Range>& ranges) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < ranges.size(); ++i)
-    json[std::string(family.parameters[i])] = {ranges[i].first, ranges[i].second};
-  return json;
-}
-
 Json stationary_json(const FittableFamily& family, const StationaryPoint& point) {
   if (!point.is_proven) return {{"unique", false}, {"reason", point.reason}};
   return {{"unique", true},
           {"minimum", point.is_minimum},
           {"digits", point.digits},
-          {"box", ranges_json(family, point.unique_in)},
-          {"lies_in", ranges_json(family, point.lies_in)}};
+          {"box", json_object(family.parameters, point.unique_in)},
+          {"lies_in", json_object(family.parameters, point.lies_in)}};
 }
 
 std::string stationary_text(const FittableFamily& family, const StationaryPoint& point) {
   if (!point.is_proven) return "not proven: " + point.reason;
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < point.lies_in.size(); ++i) {
-    const auto& [lower, upper] = point.lies_in[i];
-    parts.push_back(fmt::format("{} in [{}, {}]", family.parameters[i], lower, upper));
-  }
-  return fmt::format("one {}, {}", point.is_minimum ? "minimum" : "stationary point", fmt::join(parts, ", "));
+  std::string out = point.is_minimum ? "one minimum" : "one stationary point";
+  for (std::size_t i = 0; i < point.lies_in.size(); ++i)
+    out += fmt::format(", {} in [{}, {}]", family.parameters[i], point.lies_in[i].first,
+                       point.lies_in[i].second);
+  return out;
 }
 
 }  // namespace
@@ -160,12 +154,10 @@ Json write_certified_json(const CertifiedForm& form) {
   const Certificate& certificate = form.certified.certificate;
   const Subject& subject = certificate.subject;
   const FittableFamily& family = *find_family(subject.family);
-  Json parameters = Json::object();
-  for (const auto& [name, value] : subject.parameters) parameters[name] = value;
   return {{"schema", 1},
           {"constant", subject.family},
           {"exponent", family.has_exponent() ? Json(subject.setting.exponent) : Json()},
-          {"parameters", parameters},
+          {"parameters", json_object(subject.parameters)},
           {"parameters_from", form.from},
           {"target", certificate.target},
           {"form", certificate.form},

@@ -18,16 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json constants_json(const FittableFamily& family, const RoundedConstants& constants, Error error) {
-  Json parameters, decimals, hexes;
-  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
-    const std::string parameter(family.parameters[i]);
-    parameters[parameter] = constants.parameters[i];
-    decimals[parameter] = constants.texts[i];
-    hexes[parameter] = hex_text(constants.parameters[i]);
-  }
-  return {{"parameters", parameters},
-          {"decimal", decimals},
-          {"hex", hexes},
+  return {{"parameters", json_object(family.parameters, constants.parameters)},
+          {"decimal", json_object(family.parameters, constants.texts)},
+          {"hex", json_object(family.parameters, constants.parameters, hex_text)},
           {error == Error::relative ? "max_rel_error" : "max_abs_error", constants.max_error},
           {"at", constants.at},
           {"real_error", optional_json(constants.real_error)},
@@ -55,24 +48,10 @@ std::vector<Cell> row_of(const std::string_view name, const RoundedConstants& co
 
 /// The meaning of `max error`.
 std::string meaning_of_error(const NumberFormat& format) {
-  switch (format.kind) {
-    case NumberFormat::Kind::half:
-    case NumberFormat::Kind::bfloat16:
-      return "every operation rounded, at every " + to_text(format) + " of the domain";
-    case NumberFormat::Kind::single:
-      return "a proven bound: of the form in real numbers, and of the rounding of each operation in float";
-    case NumberFormat::Kind::decimal:
-      break;
-  }
-  return "a proven bound: of the form in real numbers, and of the rounding of each operation in double";
-}
-
-/// The meaning of "best".
-std::string meaning_of_best(const Rounded& rounded) {
-  const std::string by = rounded.format.is_narrow() ? "" : " by their error in real numbers";
-  if (rounded.is_proven) return fmt::format("Best: proven, among {}{}.", rounded.searched, by);
-  return fmt::format("Best found{}: of {} constants tried among {}, not proven.", by, rounded.evaluated,
-                     rounded.searched);
+  if (format.is_narrow()) return "every operation rounded, at every " + to_text(format) + " of the domain";
+  return fmt::format(
+      "a proven bound: of the form in real numbers, and of the rounding of each operation in {}",
+      format.kind == NumberFormat::Kind::single ? "float" : "double");
 }
 
 }  // namespace
@@ -81,6 +60,14 @@ Cell at_most(double bound, int digits) {
   if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
   const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
   return Number{std::ceil(bound / unit) * unit, digits};
+}
+
+std::string each_once(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (auto sentence = sentences.begin(); sentence != sentences.end(); ++sentence) {
+    if (std::find(sentences.begin(), sentence, *sentence) == sentence) text += *sentence + "\n";
+  }
+  return text;
 }
 
 Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
@@ -92,8 +79,7 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
     table.columns.emplace_back(parameter);
     table.columns.push_back(std::string(parameter) + " hex");
   }
-  const auto first =
-      std::find_if(fits.begin(), fits.end(), [](const auto& f) { return f.rounded.has_value(); });
+  const auto first = std::ranges::find_if(fits, [](const auto& f) { return f.rounded.has_value(); });
   const Error error = first == fits.end() ? Error::absolute : first->rounded->error;
   table.columns.push_back(fmt::format("max {} error", short_name(error)));
   for (const char* column : {"at c", "on a GPU at most", "8-bit sRGB codes"})
@@ -114,24 +100,20 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
 }
 
 std::string rounded_text(const std::vector<RoundedFit>& fits) {
-  std::string text;
-  std::vector<std::string> said;  // each sentence once per sweep
-  const auto say = [&](const std::string& sentence) {
-    if (std::find(said.begin(), said.end(), sentence) != said.end()) return;
-    said.push_back(sentence);
-    text += sentence + "\n";
-  };
+  std::vector<std::string> said;
   for (const RoundedFit& fit : fits) {
     if (!fit.rounded) {
-      say(fmt::format("Not rounded: {}.", fit.reason));
+      said.push_back(fmt::format("Not rounded: {}.", fit.reason));
       continue;
     }
-    say(fmt::format("Max {} error: {}.", short_name(fit.rounded->error),
-                    meaning_of_error(fit.rounded->format)));
-    if (fit.rounded->best.gpu_bound) say(fmt::format("On a GPU: {}.", gpu_assumption));
-    say(meaning_of_best(*fit.rounded));
+    const Rounded& rounded = *fit.rounded;
+    said.push_back(
+        fmt::format("Max {} error: {}.", short_name(rounded.error), meaning_of_error(rounded.format)));
+    if (rounded.best.gpu_bound) said.push_back(fmt::format("On a GPU: {}.", gpu_assumption));
+    said.push_back(
+        meaning_of_best(rounded, rounded.format.is_narrow() ? "" : " by their error in real numbers"));
   }
-  return text;
+  return each_once(said);
 }
 
 void add_rounded_json(Json& fit_json, const FittableFamily& family, const RoundedFit& fit) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/run/fit_extras.hpp"
@@ -12,6 +15,17 @@ namespace shadefit {
 
 /// A bound with so many digits, rounded up, so that the printed number is a bound too.
 Cell at_most(double bound, int digits = 6);
+
+/// The meaning of "best", of the rounded constants of a fit or a study; `by` says by which error, if need be.
+template <class AnyRounded>
+std::string meaning_of_best(const AnyRounded& rounded, std::string_view by = "") {
+  if (rounded.is_proven) return fmt::format("Best: proven, among {}{}.", rounded.searched, by);
+  return fmt::format("Best found{}: of {} constants tried among {}, not proven.", by, rounded.evaluated,
+                     rounded.searched);
+}
+
+/// A line for each sentence, without those that were said before.
+std::string each_once(const std::vector<std::string>& sentences);
 
 /// Rows of one table for the fits of a family: the best constants, the fit's own rounded, the published
 /// rounded.

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/rows/fit_json.hpp"
-#include "reports/table/table.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit {
 namespace {
@@ -35,8 +33,7 @@ Cell end(const std::optional<double>& value) {
 
 Table digits_table(const Sensitivity& sensitivity) {
   Table table{{"constant", "optimum", "within " + in_percent(noticeable), "within " + in_percent(slight),
-               in_percent(noticeable) + " from", "to"},
-              {}};
+               in_percent(noticeable) + " from", "to"}};
   for (const ParameterSensitivity& p : sensitivity.parameters) {
     table.rows.push_back(
         {p.parameter, converged(p.value), p.noticeable_digits, p.slight_digits, end(p.lower), end(p.upper)});
@@ -44,60 +41,19 @@ Table digits_table(const Sensitivity& sensitivity) {
   return table;
 }
 
-/// "a = -5.6, b = -6.9".
-std::string named(const Names& names, const std::vector<std::string>& values) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < names.size(); ++i) parts.push_back(fmt::format("{} = {}", names[i], values[i]));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 std::string common_text(const Names& names, const std::optional<CommonDigits>& common, double part,
                         double objective) {
   if (!common) return fmt::format("All constants within {}: no digits of a double do.\n", in_percent(part));
   return fmt::format("All constants within {}: {} digit{}, {}: worse by {:.2g} %\n", in_percent(part),
-                     common->digits, common->digits == 1 ? "" : "s", named(names, common->parameters),
+                     common->digits, common->digits == 1 ? "" : "s", equations(names, common->parameters),
                      objective > 0 ? 100 * (common->objective / objective - 1) : 0.0);
-}
-
-Table contracts_table(const Sensitivity& sensitivity) {
-  Table table{{"the same form under"}, {}};
-  for (const std::string_view parameter :
-       find_family(sensitivity.contracts.front().fit.family->id)->parameters)
-    table.columns.emplace_back(parameter);
-  for (const char* column : {"rms error", "max abs error", "status"}) table.columns.emplace_back(column);
-  for (const auto& [metric, fit] : sensitivity.contracts) {
-    const bool is_answer = fit.status == Status::converged;
-    const auto cell = [&](const Cell& value) { return is_answer ? value : Cell(); };
-    std::vector<Cell> row{describe(metric)};
-    for (const double p : fit.parameters) row.push_back(cell(converged(p)));
-    row.insert(row.end(), {cell(Number{fit.rms_error, 4}), cell(Number{fit.max_abs_error.magnitude, 4}),
-                           std::string(name(fit.status))});
-    table.rows.push_back(row);
-  }
-  return table;
 }
 
 Json common_json(const Names& names, const std::optional<CommonDigits>& common) {
   if (!common) return {};
-  Json parameters = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) parameters[names[i]] = common->parameters[i];
-  return {{"digits", common->digits}, {"parameters", parameters}, {"objective", common->objective}};
-}
-
-Json contract_json(const OtherContract& contract) {
-  const auto& [metric, fit] = contract;
-  const bool is_answer = fit.status == Status::converged;
-  const auto names = find_family(fit.family->id)->parameters;
-  Json parameters = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    parameters[std::string(names[i])] = is_answer ? Json(fit.parameters[i]) : Json();
-  return {{"under", describe(metric)},
-          {"measure", name(metric.measure)},
-          {"domain", {metric.domain.lower, metric.domain.upper}},
-          {"status", name(fit.status)},
-          {"parameters", parameters},
-          {"rms_error", is_answer ? Json(fit.rms_error) : Json()},
-          {"max_abs_error", is_answer ? Json(fit.max_abs_error.magnitude) : Json()}};
+  return {{"digits", common->digits},
+          {"parameters", json_object(names, common->parameters)},
+          {"objective", common->objective}};
 }
 
 }  // namespace
@@ -114,7 +70,10 @@ std::string digits_text(const std::string& objective, const std::string& setting
 std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity, const Terminal& terminal) {
   return digits_text(objective_name(fit.metric), fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "",
                      names_of(fit), sensitivity, terminal) +
-         "\n" + write_console(contracts_table(sensitivity), Precision::report, terminal);
+         "\n" +
+         write_console(other_fits_table(names_of(fit), sensitivity.contracts,
+                                        [](const Metric& metric) { return describe(metric); }),
+                       Precision::report, terminal);
 }
 
 Json digits_json(const Names& names, const Sensitivity& sensitivity) {
@@ -132,9 +91,14 @@ Json digits_json(const Names& names, const Sensitivity& sensitivity) {
 
 Json sensitivity_json(const Fit& fit, const Sensitivity& sensitivity) {
   Json json = digits_json(names_of(fit), sensitivity);
-  Json contracts = Json::array();
-  for (const OtherContract& contract : sensitivity.contracts) contracts.push_back(contract_json(contract));
-  json["contracts"] = contracts;
+  json["contracts"] = Json::array();
+  for (const auto& [metric, other] : sensitivity.contracts) {
+    Json& contract =
+        json["contracts"].emplace_back(Json{{"under", describe(metric)},
+                                            {"measure", name(metric.measure)},
+                                            {"domain", {metric.domain.lower, metric.domain.upper}}});
+    add_answer_json(contract, names_of(fit), other);
+  }
   return json;
 }
 

@@ -5,21 +5,10 @@
 #include <vector>
 
 #include "fit/support/hex_float.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit {
 namespace {
-
-/// A formula of the family with values for exponent and parameters; c stays.
-std::string with_constants(const Symbolic& formula, const Subject& subject) {
-  const auto value_of = [&](const std::string& variable) {
-    for (const auto& [name, text] : subject.parameters) {
-      if (name == variable) return Symbolic::number(decimal_of(text));
-    }
-    return variable == "k" ? Symbolic::number(fmt::format("{}", subject.setting.exponent))
-                           : Symbolic::variable(variable);
-  };
-  return to_text(evaluate<Symbolic>(formula, value_of));
-}
 
 std::string surface_text(const Surface& surface) {
   if (surface.extinction == 0)
@@ -48,12 +37,10 @@ std::string proven_text(const CurveShape& curve) {
 }
 
 std::string places_text(const Certificate& certificate) {
-  std::vector<std::string> parts;
-  for (const Box& place : certificate.places) {
-    const Domain c = cosines_of(place);
-    parts.push_back(fmt::format("[{}, {}]", c.lower, c.upper));
-  }
-  return fmt::format("c in {}", fmt::join(parts, " or "));
+  return "c in " + joined(certificate.places, " or ", [](const Box& place) {
+           const Domain c = cosines_of(place);
+           return fmt::format("[{}, {}]", c.lower, c.upper);
+         });
 }
 
 }  // namespace
@@ -63,16 +50,28 @@ std::string decimal_of(const std::string& text) {
   return exact ? fmt::format("{}", *exact) : text;
 }
 
+Symbolic with_constants(const Symbolic& formula, const Constants& constants) {
+  return evaluate<Symbolic>(formula, [&](const std::string& variable) {
+    for (const auto& [name, text] : constants) {
+      if (name == variable) return Symbolic::number(decimal_of(text));
+    }
+    return Symbolic::variable(variable);
+  });
+}
+
 std::string statement_of(const Certificate& certificate) {
   const Subject& subject = certificate.subject;
   const FittableFamily& family = *find_family(subject.family);
   const Setting& setting = subject.setting;
+  Constants constants = subject.parameters;
+  constants.emplace_back("k", fmt::format("{}", setting.exponent));
   std::string text;
   const auto line = [&](const char* what, const std::string& words) {
     text += fmt::format("  {:<9}{}\n", what, words);
   };
-  line("form", with_constants(family.form(), subject));
-  line("target", setting.surface.is_exact() ? certificate.target : with_constants(family.target(), subject));
+  line("form", to_text(with_constants(family.form(), constants)));
+  line("target",
+       setting.surface.is_exact() ? certificate.target : to_text(with_constants(family.target(), constants)));
   if (family.has_exponent()) line("exponent", fmt::format("k = {}", setting.exponent));
   if (setting.surface.is_named()) line("surface", surface_text(setting.surface));
   line("error", fmt::format("{}: {}", name(subject.error), error_text(subject, family.is_fresnel())));

@@ -12,6 +12,9 @@ namespace shadefit {
 /// no `fault_of`.
 std::string statement_of(const Certificate& certificate);
 
+/// A formula with the values of constants; other variables stay.
+Symbolic with_constants(const Symbolic& formula, const Constants& constants);
+
 /// A constant's text in decimals: of a hexadecimal double its shortest decimal, any other text as it is.
 std::string decimal_of(const std::string& text);
 

@@ -48,8 +48,7 @@ auto badness(const FormTrial& trial) {
 
 Table forms_stress_table(const std::vector<FormTrial>& trials) {
   Table table{{"topic", "name", "formula", "role", "format", "domain", "inputs", "worst_ulps", "worst_at",
-               "bound", "kept", "nan", "infinite", "negative", "above", "first_bad"},
-              {}};
+               "bound", "kept", "nan", "infinite", "negative", "above", "first_bad"}};
   for (const FormTrial& t : trials) {
     table.rows.push_back({std::string(t.topic), std::string(t.form), t.formula,
                           std::string(t.is_robust() ? "robust" : "naive"), std::string(t.format.name),
@@ -63,8 +62,7 @@ Table forms_stress_table(const std::vector<FormTrial>& trials) {
 }
 
 Table fits_stress_table(const std::vector<StartsTrial>& trials) {
-  Table table{{"constant", "exponent", "interval", "status", "starts", "fits", "reached", "right", "digits"},
-              {}};
+  Table table{{"constant", "exponent", "interval", "status", "starts", "fits", "reached", "right", "digits"}};
   for (const StartsTrial& t : trials) {
     const bool has_answer = t.reached > 0;
     table.rows.push_back({std::string(t.family), t.exponent ? Cell(Number{*t.exponent, 10}) : Cell(),
@@ -76,8 +74,7 @@ Table fits_stress_table(const std::vector<StartsTrial>& trials) {
 
 Table forms_stress_summary(const std::vector<FormTrial>& trials) {
   Table table{{"topic", "format", "form", "worst ulps", "nan", "inf", "< 0", "> max", "robust form",
-               "worst ulps", "bound", "kept"},
-              {}};
+               "worst ulps", "bound", "kept"}};
   for (std::size_t i = 0; i < trials.size();) {
     std::size_t end = i;
     while (end < trials.size() && trials[end].topic == trials[i].topic &&
@@ -114,7 +111,7 @@ Table forms_stress_summary(const std::vector<FormTrial>& trials) {
 }
 
 Table fits_stress_summary(const std::vector<StartsTrial>& trials) {
-  Table table{{"family", "starts", "fits", "reached", "said they failed", "wrong", "fewest digits"}, {}};
+  Table table{{"family", "starts", "fits", "reached", "said they failed", "wrong", "fewest digits"}};
   for (std::size_t i = 0; i < trials.size();) {
     long fits = 0, starts = 0, reached = 0, failed = 0, wrong = 0, digits = 99;
     const auto family = trials[i].family;

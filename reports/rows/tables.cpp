@@ -137,7 +137,7 @@ std::string verdict_text(const Judgement& judgement) {
 }
 
 Table fits_overview(const Refit& refit) {
-  Table table{{}, {}};
+  Table table{{}};
   if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
   for (const auto parameter : refit.family->parameters) table.columns.emplace_back(parameter);
   for (const char* column :
@@ -168,8 +168,7 @@ Table fits_overview(const Refit& refit) {
 
 Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
   Table table{{"constant", "exponent", "closed_form", "integral", "relative_difference", "estimated_error",
-               "verdict"},
-              {}};
+               "verdict"}};
   for (const auto& check : checks) {
     const bool is_good = check.estimated_error <= normalisation_tolerance;
     table.rows.push_back({word(check.record->id), check.exponent ? Cell(Number{*check.exponent, 10}) : Cell(),
@@ -189,7 +188,7 @@ std::string under(const Assessment& assessment) {
 }
 
 Table summary_table(const Results& results) {
-  Table table{{"constant", "printed", "computed", "verdict", "under", "digits of the fit"}, {}};
+  Table table{{"constant", "printed", "computed", "verdict", "under", "digits of the fit"}};
   // A published number is judged under the first measure first; that assessment is its verdict.
   const auto add = [&](const Assessment& assessment, Cell digits) {
     if (assessment.metric.measure != measures.front()) return;

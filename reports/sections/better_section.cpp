@@ -1,4 +1,4 @@
-#include "reports/sections/better_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ const Contender* best_against(const Comparison& comparison, std::string_view pub
   const Contender* best = nullptr;
   for (const Contender& contender : comparison.contenders) {
     const auto& beats = contender.beats;
-    if (std::find(beats.begin(), beats.end(), published) == beats.end()) continue;
+    if (std::ranges::find(beats, published) == beats.end()) continue;
     if (best == nullptr || contender.max_abs_error.upper < best->max_abs_error.upper) best = &contender;
   }
   return best;
@@ -76,18 +76,13 @@ std::string better_section(const std::vector<Comparison>& comparisons) {
   std::string out = fmt::format(
       "## Published against best\n\n"
       "What would be better at the same cost? For each target, the table lists the published curves, and "
-      "each form with "
-      "its *minimax* constants: those that make the largest error smallest. Some forms were never published. "
-      "Each largest "
-      "error is proven to lie in an interval of relative width {:g}: the last digit shown is right to one "
-      "unit. The other "
-      "errors are computed but not proven, the rms error under the cosine measure. On a surface, errors are "
-      "of the reflectance F. Operations are "
-      "counted in the code that `shadefit emit` writes for one exponent, where expressions of constants are "
-      "computed "
-      "beforehand. A curve *beats* a published one if its proven error is smaller and it needs no more "
-      "instructions. "
-      "For other surfaces, exponents, domains and objectives see `shadefit better ID`.\n\n",
+      "each form with its *minimax* constants: those that make the largest error smallest. Some forms were "
+      "never published. Each largest error is proven to lie in an interval of relative width {:g}: the last "
+      "digit shown is right to one unit. The other errors are computed but not proven, the rms error under "
+      "the cosine measure. On a surface, errors are of the reflectance F. Operations are counted in the code "
+      "that `shadefit emit` writes for one exponent, where expressions of constants are computed beforehand. "
+      "A curve *beats* a published one if its proven error is smaller and it needs no more instructions. For "
+      "other surfaces, exponents, domains and objectives see `shadefit better ID`.\n\n",
       report_comparison.width);
   for (const Comparison& comparison : comparisons) {
     out += fmt::format("### {}\n\n", heading_of(comparison)) + target_line(comparison) +

@@ -1,10 +1,11 @@
-#include "reports/sections/exact_fresnel_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "approx/records/optical_constants.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/table/writers.hpp"
 
@@ -16,13 +17,9 @@ bool is_glass(const FresnelLink& link) {
 }
 
 std::string parameters_text(const FresnelLink& link) {
-  std::string text;
-  if (link.status != Status::converged) return text;
-  for (std::size_t i = 0; i < link.parameters.size(); ++i) {
-    text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", link.family->parameters[i],
-                        shadefit::text(converged(link.parameters[i]), Precision::report));
-  }
-  return text;
+  if (link.family == nullptr || link.status != Status::converged) return "";
+  return equations(link.family->parameters, link.parameters,
+                   [](double value) { return text(converged(value), Precision::report); });
 }
 
 /// "fresnel-quadratic-a", "fresnel-quadratic refitted", "schlick": the name of a curve for programs.
@@ -134,7 +131,7 @@ Table fresnel_table(const std::vector<FresnelLink>& chain) {
 }
 
 Table glass_table(const std::vector<FresnelLink>& chain) {
-  Table table{chain_columns, {}};
+  Table table{chain_columns};
   for (const FresnelLink& link : chain) {
     if (is_glass(link)) table.rows.push_back(chain_row(link));
   }
@@ -145,13 +142,10 @@ std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
   std::string out =
       "## Exact Fresnel\n\n"
       "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each form is "
-      "compared "
-      "with Schlick's formula for the surface's f0, and with the exact reflectance of a smooth surface for "
-      "unpolarised "
-      "light that comes from outside. Each error is the largest error of the reflectance F over all angles: "
-      "absolute, in percent of F, and in 8-bit sRGB codes. \"Refitted\" is the same form, fitted to the "
-      "exact F by least "
-      "squares under the cosine measure.\n\n";
+      "compared with Schlick's formula for the surface's f0, and with the exact reflectance of a smooth "
+      "surface for unpolarised light that comes from outside. Each error is the largest error of the "
+      "reflectance F over all angles: absolute, in percent of F, and in 8-bit sRGB codes. \"Refitted\" is "
+      "the same form, fitted to the exact F by least squares under the cosine measure.\n\n";
   const FresnelLink* dielectric = worst(chain, false);
   const FresnelLink* metal = worst(chain, true);
   out += fmt::format(
@@ -164,7 +158,7 @@ std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
   for (auto first = chain.begin(); first != chain.end();) {
     const auto last =
         std::find_if(first, chain.end(), [&](const FresnelLink& l) { return l.surface != first->surface; });
-    Table table{chain_columns, {}};
+    Table table{chain_columns};
     std::transform(first, last, std::back_inserter(table.rows), chain_row);
     out +=
         fmt::format("{}, f0 = {:.4g}:\n\n", surface_text(*first->surface), first->f0) + markdown_block(table);
@@ -189,11 +183,9 @@ std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain) {
   const double off = schlick->from_exact.absolute.magnitude, near = closest->from_schlick.absolute.magnitude;
   return fmt::format(
       "The Fresnel constants were fitted to Schlick's formula, which is itself off by up to {:.3g} in "
-      "reflectance on "
-      "glass (n = {}). The published {} differs from Schlick's formula by at most {:.3g}: {:.2g} times less "
-      "than Schlick's formula differs from the exact reflectance. The published curve closest to the exact "
-      "reflectance of "
-      "that glass is {}, off by {:.3g}.\n\n",
+      "reflectance on glass (n = {}). The published {} differs from Schlick's formula by at most {:.3g}: "
+      "{:.2g} times less than Schlick's formula differs from the exact reflectance. The published curve "
+      "closest to the exact reflectance of that glass is {}, off by {:.3g}.\n\n",
       off, glass.ior, published_text(*closest), near, off / near, published_text(*truest),
       truest->from_exact.absolute.magnitude);
 }

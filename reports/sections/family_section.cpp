@@ -1,4 +1,4 @@
-#include "reports/sections/family_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "approx/ledger/catalogue.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/table/writers.hpp"
@@ -56,8 +57,7 @@ std::string somewhere_sentence(const std::vector<const Assessment*>& found) {
     out += a->holds_for
                ? fmt::format(
                      " Under the {} measure the best value is the printed one at k = {:.3g} and rounds to it "
-                     "from "
-                     "{:.3g} to {:.3g}.",
+                     "from {:.3g} to {:.3g}.",
                      name(a->metric.measure), a->holds_for->exactly, a->holds_for->from, a->holds_for->to)
                : fmt::format(" Under the {} measure it is the best value nowhere.", name(a->metric.measure));
   }
@@ -94,15 +94,14 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
 }
 
 std::string published_section(const Refit& refit) {
-  std::string out;
-  for (const Published* number : refit.numbers) out += published_paragraph(refit, *number);
-  return out + "\n";
+  const auto paragraph = [&](const Published* number) { return published_paragraph(refit, *number); };
+  return joined(refit.numbers, "", paragraph) + "\n";
 }
 
 /// The number published as the mean over a sweep, to be used at every exponent; null where there is none.
 const Published* published_mean(const Refit& refit) {
-  const auto found = std::find_if(refit.numbers.begin(), refit.numbers.end(),
-                                  [](const Published* p) { return p->statement == Statement::mean_of_fits; });
+  const auto found = std::ranges::find_if(
+      refit.numbers, [](const Published* p) { return p->statement == Statement::mean_of_fits; });
   return found == refit.numbers.end() ? nullptr : *found;
 }
 
@@ -111,7 +110,7 @@ const Published* published_mean(const Refit& refit) {
 Table sweep_overview(const Refit& refit) {
   const std::string parameter(refit.family->parameters[0]);
   const Published* mean = published_mean(refit);
-  Table table{{"k"}, {}};
+  Table table{{"k"}};
   for (const Measure measure : measures)
     table.columns.push_back(fmt::format("{} ({})", parameter, name(measure)));
   for (const char* column : {"rms error", "max abs error", "at c"}) {
@@ -138,7 +137,7 @@ Table sweep_overview(const Refit& refit) {
 
 /// One row per measure.
 Table single_overview(const Refit& refit) {
-  Table table{{"measure"}, {}};
+  Table table{{"measure"}};
   for (const std::string_view parameter : refit.family->parameters) table.columns.emplace_back(parameter);
   table.columns.insert(table.columns.end(), {"rms error", "max abs error", "max abs error at c",
                                              "max rel error", "max rel error at c", "digits"});
@@ -156,7 +155,7 @@ Table single_overview(const Refit& refit) {
 
 /// Mistyped copies in circulation, and their effect on the curve.
 std::string variants_section(const Refit& refit) {
-  Table table{{"constant", "printed", "found as", "seen in", "effect"}, {}};
+  Table table{{"constant", "printed", "found as", "seen in", "effect"}};
   const auto& family = *refit.family;
   const auto best = refit.fits.front().fit;
   for (const Published* number : refit.numbers) {
@@ -184,10 +183,10 @@ std::optional<ApproachLaw<double>> derived_law(const Refit& refit, Measure measu
 
 /// If a published number is a limit: the derived law and the extrapolation of the fits.
 std::string law_section(const Refit& refit) {
-  if (std::none_of(refit.numbers.begin(), refit.numbers.end(),
-                   [](const Published* p) { return p->statement == Statement::limit_of_fits; }))
+  if (std::ranges::none_of(refit.numbers,
+                           [](const Published* p) { return p->statement == Statement::limit_of_fits; }))
     return "";
-  Table table{{"measure", "limit derived", "limit fitted", "slope derived", "slope fitted"}, {}};
+  Table table{{"measure", "limit derived", "limit fitted", "slope derived", "slope fitted"}};
   FitCache fits(*refit.family);
   for (const Measure measure : measures) {
     const auto law = derived_law(refit, measure);
@@ -239,7 +238,7 @@ std::string single_words(const Refit& refit) {
 
 /// The two formulas as text and as mathematics, and the operations of a shader for each.
 Table formulas_table(const FittableFamily& family) {
-  Table table{{"", "formula", "typeset", "operations"}, {}};
+  Table table{{"", "formula", "typeset", "operations"}};
   const auto add = [&](const std::string& name, const Symbolic& formula) {
     table.rows.push_back({name, fmt::format("`{}`", to_text(formula)), fmt::format("${}$", to_latex(formula)),
                           to_text(count_operations(formula))});
@@ -264,9 +263,8 @@ std::string family_section(const Refit& refit, const std::vector<Figure>& figure
   const Family& info = refit.family->info;
   std::string out = fmt::format("## {} (`{}`)\n\n", info.title, info.id) +
                     markdown_block(formulas_table(*refit.family)) + fmt::format("{}.\n\n", info.variables);
-  const bool all_converged = std::all_of(refit.fits.begin(), refit.fits.end(), [](const FitReport& r) {
-    return r.fit.status == Status::converged;
-  });
+  const bool all_converged =
+      std::ranges::all_of(refit.fits, [](const FitReport& r) { return r.fit.status == Status::converged; });
   if (!all_converged) return out + "Not every fit converged: see the verdicts in `fits.csv`.\n\n";
   out += published_section(refit);
   if (refit.family->has_exponent()) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reports/io/joined.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/table/mathematics.hpp"
@@ -14,18 +15,16 @@ namespace shadefit {
 namespace {
 
 std::string quantities_text(const Quantities& quantities) {
-  std::vector<std::string> words;
-  for (const Quantity& quantity : quantities) {
-    words.push_back(quantity.name.empty() ? std::string(quantity.value)
-                                          : fmt::format("{} = {}", quantity.name, quantity.value));
-  }
-  return fmt::format("{}", fmt::join(words, ", "));
+  return joined(quantities, ", ", [](const Quantity& quantity) {
+    return quantity.name.empty() ? std::string(quantity.value)
+                                 : fmt::format("{} = {}", quantity.name, quantity.value);
+  });
 }
 
 std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const Topic& topic) {
   std::vector<JudgedClaim> found;
-  std::copy_if(claims.begin(), claims.end(), std::back_inserter(found),
-               [&](const JudgedClaim& judged) { return judged.topic == &topic; });
+  std::ranges::copy_if(claims, std::back_inserter(found),
+                       [&](const JudgedClaim& judged) { return judged.topic == &topic; });
   return found;
 }
 
@@ -37,8 +36,7 @@ std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& cl
                        linked(claim->source), with_mathematics(claim->statement), verdict_text(finding),
                        finding.evidence, finding.effect);
     const std::string_view name = claim->figure;  // clang 14 captures no structured binding
-    const bool is_drawn = std::any_of(figures.begin(), figures.end(),
-                                      [&](const Figure& figure) { return figure.name == name; });
+    const bool is_drawn = std::ranges::find(figures, name, &Figure::name) != figures.end();
     if (is_drawn) out += fmt::format("  - Plot: [{0}](plots/{0}.svg).\n", claim->figure);
   }
   return out + "\n";
@@ -66,32 +64,25 @@ Table claims_table(const std::vector<JudgedClaim>& claims) {
 }
 
 Table claims_overview(const std::vector<JudgedClaim>& claims) {
-  Table table{{"claim", "printed", "computed", "verdict"}, {}};
+  Table table{{"claim", "printed", "computed", "verdict"}};
   for (const auto& [_, claim, finding] : claims)
     table.rows.push_back({word(claim->id), printed_text(*claim), finding.computed, verdict_text(finding)});
   return table;
 }
 
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Formulas formulas) {
-  Table table{{"id", "printed", "of", "source"}, {}};
-  if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Statements statements) {
+  Table table{{"id", "printed"}};
+  if (with_verdicts) table.columns.insert(table.columns.end(), {"computed", "verdict"});
+  if (statements != Statements::none) table.columns.emplace_back("of");
+  table.columns.emplace_back("source");
   for (const auto& [_, claim, finding] : claims) {
-    const std::string statement =
-        formulas == Formulas::marked ? std::string(claim->statement) : without_marks(claim->statement);
-    std::vector<Cell> row{word(claim->id), printed_text(*claim), statement, citation(claim->source)};
-    if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
-    table.rows.push_back(row);
-  }
-  return table;
-}
-
-Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
-  Table table{{"id", "printed", "source"}, {}};
-  if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
-  for (const auto& [_, claim, finding] : claims) {
-    std::vector<Cell> row{word(claim->id), printed_text(*claim), author_and_year(claim->source)};
-    if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
-    table.rows.push_back(row);
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row = {word(claim->id), printed_text(*claim)};
+    if (with_verdicts) row.insert(row.end(), {finding.computed, verdict_text(finding)});
+    if (statements == Statements::marked) row.push_back(word(claim->statement));
+    if (statements == Statements::plain) row.emplace_back(without_marks(claim->statement));
+    row.emplace_back(statements == Statements::none ? author_and_year(claim->source)
+                                                    : citation(claim->source));
   }
   return table;
 }
@@ -125,13 +116,10 @@ std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::ve
   std::string out = fmt::format(
       "## The ledger\n\n"
       "The ledger is the list of every number and every testable statement of the sources. It holds {}. A "
-      "printed "
-      "number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is *confirmed* "
-      "if it is "
-      "true on the whole stated range. It is *conditional* if it is true only on a part of that range, or "
-      "only in one "
-      "of several readings; the evidence says which. Otherwise it is *refuted*. "
-      "Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the "
+      "printed number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is "
+      "*confirmed* if it is true on the whole stated range. It is *conditional* if it is true only on a part "
+      "of that range, or only in one of several readings; the evidence says which. Otherwise it is "
+      "*refuted*. Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the "
       "derivation.\n\n",
       verdict_counts(claims));
   const Topic* last = nullptr;

@@ -23,17 +23,15 @@ Table claims_table(const std::vector<JudgedClaim>& claims);
 /// The table for people: claim, printed, computed, verdict.
 Table claims_overview(const std::vector<JudgedClaim>& claims);
 
-/// Whether a statement keeps the marks of its formulas, as LaTeX needs them (reports/table/mathematics.hpp).
-enum class Formulas { plain, marked };
+/// How statements are shown: with the marks of their formulas, as LaTeX needs them
+/// (reports/table/mathematics.hpp), without, or not at all.
+enum class Statements { none, plain, marked };
 
-/// Every record, with its verdict if claims are judged: `shadefit list`.
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Formulas formulas);
+/// Every record, with its verdict if claims are judged: `shadefit list`. Without statements, for a terminal,
+/// each source is "author year".
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Statements statements);
 
-/// The same without statements, each source as "author year".
-Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);
-
-/// Adds a row for each form that only compares, which has no source, to one of these two tables without
-/// verdicts.
+/// Adds a row for each form that only compares, which has no source, to such a table without verdicts.
 void add_forms_of_comparison(Table& list);
 
 /// "82 claims: 61 confirmed, 4 rounding, ..": verdicts that occur, in their order.

@@ -1,4 +1,4 @@
-#include "reports/sections/news_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -35,8 +35,8 @@ std::string news_of(const std::vector<JudgedClaim>& claims, std::string_view lea
 
 std::vector<JudgedClaim> claims_with(const std::vector<JudgedClaim>& claims, Verdict verdict) {
   std::vector<JudgedClaim> found;
-  std::copy_if(claims.begin(), claims.end(), std::back_inserter(found),
-               [&](const JudgedClaim& judged) { return judged.finding.verdict == verdict; });
+  std::ranges::copy_if(claims, std::back_inserter(found),
+                       [&](const JudgedClaim& judged) { return judged.finding.verdict == verdict; });
   return found;
 }
 

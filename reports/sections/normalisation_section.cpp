@@ -1,4 +1,4 @@
-#include "reports/sections/normalisation_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@ namespace shadefit {
 namespace {
 
 bool is_checked(const Results& results, const Normalisation& record) {
-  return std::any_of(results.normalisations.begin(), results.normalisations.end(),
-                     [&](const auto& check) { return check.record->id == record.id; });
+  return std::ranges::any_of(results.normalisations,
+                             [&](const auto& check) { return check.record->id == record.id; });
 }
 
 /// The error of the cheap constant; empty if it was not checked.
@@ -23,17 +23,15 @@ std::string stand_in_words(const Results& results) {
   const Normalisation& record = BlinnPhongCheapLobe::record;
   if (!is_checked(results, record)) return "";
   const auto [exponent, ratio] = largest_cheap_ratio();
-  Table ratios{{"a", "cheap over exact"}, {}};
+  Table ratios{{"a", "cheap over exact"}};
   for (const auto& check : results.normalisations) {
     if (check.record->id != record.id) continue;
     ratios.rows.push_back({Number{*check.exponent, 10}, converged(check.closed_form / check.integral)});
   }
   return fmt::format(
       "`{0}`, `{1}`, stands in for `{2}`, and is judged by its ratio to it. {3} quotes Naty Hoffman: \"close "
-      "to "
-      "1\". We read that as within {4:g}. The ratio is 1 in the limits a = 0 and infinity. It is largest at "
-      "a = "
-      "{5:.6g}: {6:.10g}, which is {7:.3g} % too bright.\n\n{8}",
+      "to 1\". We read that as within {4:g}. The ratio is 1 in the limits a = 0 and infinity. It is largest "
+      "at a = {5:.6g}: {6:.10g}, which is {7:.3g} % too bright.\n\n{8}",
       record.id, record.printed, BlinnPhongBrdfLobe::record.printed, linked(record.source), record.closeness,
       exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
 }
@@ -44,8 +42,7 @@ std::string microfacet_words(const Results& results) {
   if (!is_checked(results, record)) return "";
   return fmt::format(
       "`{}` is a quarter of `{}`. It has no integral of its own, so it is compared with the integral of four "
-      "times "
-      "the distribution. In a game's light unit, which contains pi, it is `(a+2)/8`.\n\n",
+      "times the distribution. In a game's light unit, which contains pi, it is `(a+2)/8`.\n\n",
       record.id, DistributionLobe::record.id);
 }
 
@@ -56,11 +53,9 @@ std::string normalisation_section(const Results& results) {
       "## Normalisation, with view and normal aligned\n\n"
       "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two "
       "quadrature rules compute it: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative "
-      "difference "
-      "below the tolerance is printed as 0. The estimated error is a bound: it covers the errors of both "
-      "rules, their "
-      "difference, and the tail that is cut off.\n\n";
-  Table lobes{{"constant", "lobe", "printed", "typeset", "source"}, {}};
+      "difference below the tolerance is printed as 0. The estimated error is a bound: it covers the errors "
+      "of both rules, their difference, and the tail that is cut off.\n\n";
+  Table lobes{{"constant", "lobe", "printed", "typeset", "source"}};
   for (const Normalisation& record : normalisations) {
     if (!is_checked(results, record)) continue;
     lobes.rows.push_back({std::string(record.id), fmt::format("`{}`", record.lobe),

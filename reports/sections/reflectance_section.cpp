@@ -1,9 +1,10 @@
-#include "reports/sections/reflectance_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "reports/io/joined.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -35,7 +36,7 @@ Curves curves_of(const std::vector<ReflectanceCurve>& curves, const Normalisatio
 
 /// View angles down, exponents across.
 Table constant_table(const Curves& curves, double Reflectance::*value) {
-  Table table{{"view angle"}, {}};
+  Table table{{"view angle"}};
   for (const auto* curve : curves) table.columns.push_back(fmt::format("a = {}", curve->exponent));
   for (std::size_t i = 0; i < view_angles.size(); ++i) {
     std::vector<Cell> row{angle(view_angles[i])};
@@ -70,9 +71,7 @@ Table largest_table(const std::vector<ReflectanceCurve>& curves) {
 
 /// The exponents of curves, by commas.
 std::string exponents_text(const Curves& curves) {
-  std::string out;
-  for (const auto* curve : curves) out += fmt::format("{}{}", out.empty() ? "" : ", ", curve->exponent);
-  return out;
+  return joined(curves, ", ", [](const auto* curve) { return fmt::format("{}", curve->exponent); });
 }
 
 /// The effect of a constant on energy, from its curves. Peaks that are equal within rounding are listed
@@ -92,18 +91,16 @@ std::string energy_sentence(const Normalisation& record, const Curves& curves) {
     return fmt::format("- `{}` creates no energy for a = {}: its reflectance with n.l is at most {}.\n",
                        record.id, exponents_text(curves), peak);
   }
-  std::string where;
-  for (const auto* curve : creating) {
-    where += fmt::format("{}below {} degrees for a = {}", where.empty() ? "" : ", ",
-                         angle_text(*curve->conserves_from), curve->exponent);
-  }
+  const std::string where = joined(creating, ", ", [](const auto* curve) {
+    return fmt::format("below {} degrees for a = {}", angle_text(*curve->conserves_from), curve->exponent);
+  });
   return fmt::format("- `{}` creates energy: {}. Its reflectance is largest, {}.\n", record.id, where, peak);
 }
 
 }  // namespace
 
 Table reflectance_table(const std::vector<ReflectanceCurve>& curves) {
-  Table table{{"constant", "exponent", "view_angle", "reflectance", "estimated_error", "with_cosine"}, {}};
+  Table table{{"constant", "exponent", "view_angle", "reflectance", "estimated_error", "with_cosine"}};
   for (const auto& curve : curves) {
     for (const Reflectance& point : curve.points) {
       const bool is_good = point.estimated_error <= reflectance_tolerance;
@@ -120,18 +117,13 @@ std::string reflectance_section(const std::vector<ReflectanceCurve>& curves) {
   std::string out =
       "## Energy at every angle\n\n"
       "The constants above are stated for v = n. Here the reflectance R is the constant times the integral "
-      "of its "
-      "lobe over the hemisphere n.l >= 0 (r.v clamped at 0). It is computed up to grazing views; the view "
-      "angle is "
-      "the angle to the normal, in degrees. A lobe conserves energy if R, with the factor n.l, is at most 1. "
-      "So a "
-      "constant that is stated without n.l is integrated as stated, and also with n.l. Two independent ways "
-      "agree "
-      "to within the estimated error of `reflectance.csv`. One integrates over circles around the lobe's "
-      "axis: the "
-      "azimuth in closed form, the rest by Gauss-Kronrod. The other integrates over longitude and latitude "
-      "around the pole "
-      "perpendicular to n and v, by tanh-sinh or Gauss-Legendre.\n\n";
+      "of its lobe over the hemisphere n.l >= 0 (r.v clamped at 0). It is computed up to grazing views; the "
+      "view angle is the angle to the normal, in degrees. A lobe conserves energy if R, with the factor n.l, "
+      "is at most 1. So a constant that is stated without n.l is integrated as stated, and also with n.l. "
+      "Two independent ways agree to within the estimated error of `reflectance.csv`. One integrates over "
+      "circles around the lobe's axis: the azimuth in closed form, the rest by Gauss-Kronrod. The other "
+      "integrates over longitude and latitude around the pole perpendicular to n and v, by tanh-sinh or "
+      "Gauss-Legendre.\n\n";
   std::string sentences;
   for (const ReflectedConstant& constant : reflected_constants) {
     const Curves found = curves_of(curves, *constant.record);

@@ -7,14 +7,9 @@
 #include "reports/rows/citation.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/sections/better_section.hpp"
-#include "reports/sections/exact_fresnel_section.hpp"
-#include "reports/sections/family_section.hpp"
 #include "reports/sections/ledger_section.hpp"
-#include "reports/sections/news_section.hpp"
-#include "reports/sections/normalisation_section.hpp"
 #include "reports/sections/prose.hpp"
-#include "reports/sections/reflectance_section.hpp"
+#include "reports/sections/sections.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -29,19 +24,18 @@ constexpr std::string_view how_to_read =
     "- *refuted*: no metric or convention gives the printed digits.\n\n"
     "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs "
     "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the "
-    "`cosine-weighted` measure c dc weighs projected solid angle evenly. A fit is continuous least squares: it "
-    "makes the integral of the squared absolute error, "
-    "weighted by the measure, smallest. The digits of a fit are those that the last Newton step in wider "
-    "arithmetic no longer changes, at most 14. An effect is the largest change between two numbers or "
-    "formulas: in 8-bit sRGB codes, as an absolute error, as a relative error (of values from 1/255 on), and "
-    "in steps of a half float (ulps).\n\n";
+    "`cosine-weighted` measure c dc weighs projected solid angle evenly. A fit is continuous least squares: "
+    "it makes the integral of the squared absolute error, weighted by the measure, smallest. The digits of a "
+    "fit are those that the last Newton step in wider arithmetic no longer changes, at most 14. An effect is "
+    "the largest change between two numbers or formulas: in 8-bit sRGB codes, as an absolute error, as a "
+    "relative error (of values from 1/255 on), and in steps of a half float (ulps).\n\n";
 
 /// The publications that the records of these results cite, by year.
 std::string sources_section(const Results& results) {
   std::vector<const Source*> sources;
   const auto add = [&](const Source& source) {
-    const bool is_there = std::any_of(sources.begin(), sources.end(),
-                                      [&](const Source* other) { return other->title == source.title; });
+    const bool is_there =
+        std::ranges::any_of(sources, [&](const Source* other) { return other->title == source.title; });
     if (!is_there) sources.push_back(&source);
   };
   for (const JudgedClaim& judged : results.claims) add(judged.claim->source);
@@ -51,8 +45,7 @@ std::string sources_section(const Results& results) {
   for (const NormalisationCheck& check : results.normalisations) add(check.record->source);
   for (const FresnelLink& link : results.fresnel_chain) add(link.surface->source);
   if (sources.empty()) return "";
-  std::stable_sort(sources.begin(), sources.end(),
-                   [](const Source* a, const Source* b) { return a->year < b->year; });
+  std::ranges::stable_sort(sources, [](const Source* a, const Source* b) { return a->year < b->year; });
   std::string out = "## Sources\n\n";
   for (const Source* source : sources)
     out += fmt::format("- {}, *{}*, {}\n", linked(*source), source->title, source->place);

@@ -1,11 +1,11 @@
 #include "reports/studies/study_certificate_json.hpp"
 
-#include <utility>
+#include <tuple>
 
-#include "fit/support/hex_float.hpp"
 #include "fit/support/json_document.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/own_fields.hpp"
+#include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
@@ -13,15 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kind_of_study_file = "shadefit certificate of a study";
-
-Json hex_pair(double lower, double upper) {
-  return {hex_text(lower), hex_text(upper)};
-}
-
-Domain read_pair(const OwnFields& fields, const char* key) {
-  const Json& pair = fields.pair(key);
-  return {fields.number_of(pair[0], key), fields.number_of(pair[1], key)};
-}
 
 Json definitions_json(const std::vector<StudyDefinition>& definitions) {
   Json list = Json::array();
@@ -34,28 +25,9 @@ std::vector<StudyDefinition> read_definitions(const OwnFields& fields) {
   std::vector<StudyDefinition> definitions;
   for (const Json& item : fields.list("let")) {
     const OwnFields one = fields.item(item);
-    StudyDefinition definition{one.text("name"), {}, one.text("is")};
-    for (const Json& argument : one.list("of")) definition.arguments.push_back(one.text_of(argument, "of"));
-    definitions.push_back(definition);
+    definitions.push_back({one.text("name"), one.texts("of"), one.text("is")});
   }
   return definitions;
-}
-
-/// The members of an object of texts.
-Constants read_texts(const OwnFields& fields, const char* key) {
-  if (!fields.field(key).is_object()) fields.fail(key, "is not an object");
-  Constants texts;
-  for (const auto& [name, value] : fields.field(key).items())
-    texts.emplace_back(name, fields.text_of(value, key));
-  return texts;
-}
-
-Error read_error(const OwnFields& fields) {
-  const std::string text = fields.text("error");
-  for (const Error error : {Error::absolute, Error::relative}) {
-    if (text == name(error)) return error;
-  }
-  fields.fail("error", "is unknown: '" + text + "'");
 }
 
 StudySubject read_study_subject(const OwnFields& fields) {
@@ -63,14 +35,14 @@ StudySubject read_study_subject(const OwnFields& fields) {
   subject.study.target = fields.text("target");
   subject.study.form = fields.text("form");
   subject.study.weight = fields.text("weight");
-  subject.study.error = read_error(fields);
+  subject.study.error = fields.choice("error", named_errors);
   subject.study.definitions = read_definitions(fields);
-  for (const auto& [name, value] : read_texts(fields, "given")) subject.study.given.emplace(name, value);
+  for (const auto& [name, value] : fields.members("given")) subject.study.given.emplace(name, value);
   for (const Json& item : fields.list("over")) {
     const OwnFields range = fields.item(item);
     subject.study.over.push_back({range.text("variable"), range.text("from"), range.text("to")});
   }
-  subject.parameters = read_texts(fields, "parameters");
+  subject.parameters = fields.members("parameters");
   return subject;
 }
 
@@ -78,15 +50,12 @@ StudySubject read_study_subject(const OwnFields& fields) {
 
 Json write_study_certificate_json(const StudyCertificate& certificate) {
   const auto& [study, parameters] = certificate.subject;
-  Json over = Json::array(), given = Json::object(), constants = Json::object(), attained = Json::array();
+  Json over = Json::array();
   for (std::size_t i = 0; i < study.over.size(); ++i)
     over.push_back({{"variable", study.over[i].variable},
                     {"from", study.over[i].lower},
                     {"to", study.over[i].upper},
-                    {"doubles", hex_pair(certificate.ranges.at(i).lower, certificate.ranges.at(i).upper)}});
-  for (const auto& [name, value] : study.given) given[name] = value;
-  for (const auto& [name, value] : parameters) constants[name] = value;
-  for (const double coordinate : certificate.attained) attained.push_back(hex_text(coordinate));
+                    {"doubles", hex_list({certificate.ranges.at(i).lower, certificate.ranges.at(i).upper})}});
   Json json{{"file", kind_of_study_file},
             {"schema", study_certificate_schema},
             {"target", study.target},
@@ -94,11 +63,11 @@ Json write_study_certificate_json(const StudyCertificate& certificate) {
             {"weight", study.weight},
             {"error", name(study.error)},
             {"let", definitions_json(study.definitions)},
-            {"given", given},
+            {"given", json_object(study.given)},
             {"over", over},
-            {"parameters", constants},
-            {"largest", hex_pair(certificate.lower, certificate.upper)},
-            {"attained", attained},
+            {"parameters", json_object(parameters)},
+            {"largest", hex_list({certificate.lower, certificate.upper})},
+            {"attained", hex_list(certificate.attained)},
             {"precision", certificate.precision},
             {"boxes", certificate.boxes}};
   json[digest_field] = digest_of(json);
@@ -114,23 +83,19 @@ bool is_study_certificate(const std::string& text, const std::string& name) {
   return json.is_object() && json.contains("file") && json.at("file") == kind_of_study_file;
 }
 
-ReadStudyCertificate read_study_certificate(const std::string& text, const std::string& name) {
+ReadCertificate<StudyCertificate> read_study_certificate(const std::string& text, const std::string& name) {
   const std::string file = "certificate '" + name + "'";
   const Json json = parse_own_json(text, file);
   const OwnFields fields(json, file);
   fields.require_kind(kind_of_study_file, study_certificate_schema);
-  ReadStudyCertificate result;
-  const std::string digest = digest_of(json);
-  if (const std::string stated = fields.text(digest_field); stated != digest)
-    result.refused = "its digest is " + stated + ", that of its fields is " + digest +
-                     ": it was changed after it was written";
+  ReadCertificate<StudyCertificate> result{.refused = fields.fault_of_digest()};
   StudyCertificate& certificate = result.certificate;
   certificate.subject = read_study_subject(fields);
-  for (const Json& item : fields.list("over"))
-    certificate.ranges.push_back(read_pair(fields.item(item), "doubles"));
-  const Domain largest = read_pair(fields, "largest");
-  certificate.lower = largest.lower;
-  certificate.upper = largest.upper;
+  for (const Json& item : fields.list("over")) {
+    const auto [lower, upper] = fields.item(item).interval("doubles");
+    certificate.ranges.push_back({lower, upper});
+  }
+  std::tie(certificate.lower, certificate.upper) = fields.interval("largest");
   certificate.attained = fields.numbers("attained");
   certificate.precision = fields.whole<int>("precision");
   certificate.boxes = fields.text("boxes");

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fit/study_proof/study_certificate.hpp"
+#include "reports/rows/certificate_json.hpp"
 
 /// Certificates of studies as files. The rules are those of reports/rows/certificate_json.hpp: hexadecimal
 /// doubles, exactly the fields and the spelling that `write_study_certificate_json` writes, a digest. The
@@ -19,16 +20,10 @@ nlohmann::ordered_json write_study_certificate_json(const StudyCertificate& cert
 /// The same as the text of a file.
 std::string certificate_text(const StudyCertificate& certificate);
 
-/// The result of reading a file: a certificate, or the reason to refuse it.
-struct ReadStudyCertificate {
-  StudyCertificate certificate;
-  std::string refused;  ///< empty; else that its digest is not that of its fields
-};
-
 /// Whether a text says that it is a certificate of a study. Throws UserError if `parse_own_json` refuses it.
 bool is_study_certificate(const std::string& text, const std::string& name);
 
 /// Reads a certificate. `name` is for messages. Throws UserError with one line as `read_certificate` does.
-ReadStudyCertificate read_study_certificate(const std::string& text, const std::string& name);
+ReadCertificate<StudyCertificate> read_study_certificate(const std::string& text, const std::string& name);
 
 }  // namespace shadefit

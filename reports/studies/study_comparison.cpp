@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
+#include "reports/io/joined.hpp"
+#include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_rows.hpp"
 
 namespace shadefit {
@@ -14,14 +17,9 @@ using Json = nlohmann::ordered_json;
 
 /// "a = 1.5707963, b = -0.156583": as printed, or to ten digits.
 std::string constants_text(const StudyContender& contender) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < contender.names.size(); ++i) {
-    const std::string value = contender.printed.empty()
-                                  ? text(converged(contender.values[i]), Precision::report)
-                                  : contender.printed[i];
-    parts.push_back(contender.names[i] + " = " + value);
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  if (!contender.printed.empty()) return equations(contender.names, contender.printed);
+  return equations(contender.names, contender.values,
+                   [](double value) { return text(converged(value), Precision::report); });
 }
 
 std::string origin_of(const StudyContender& contender) {
@@ -29,29 +27,16 @@ std::string origin_of(const StudyContender& contender) {
 }
 
 std::string_view short_name(StatedError error) {
-  switch (error) {
-    case StatedError::max_abs_error:
-      return "";
-    case StatedError::max_rel_error:
-      return " relative";
-    case StatedError::mean_abs_error:
-      return " mean";
-    case StatedError::mean_rel_error:
-      return " mean relative";
-    case StatedError::rms_error:
-      return " rms";
-    case StatedError::mean_square_error:
-      return " mean square";
-  }
-  return "";
+  constexpr std::array<std::string_view, stated_errors.size()> names{
+      "", " relative", " mean", " mean relative", " rms", " mean square"};
+  return names.at(static_cast<std::size_t>(error));
 }
 
 std::string claim_text(const StudyContender& contender) {
-  std::vector<std::string> parts;
-  for (const JudgedError& judged : contender.claims)
-    parts.push_back(fmt::format("{}{}{}: {}", judged.claim.printed, short_name(judged.claim.error),
-                                ranges_text(judged.claim), name(judged.verdict)));
-  return fmt::format("{}", fmt::join(parts, "; "));
+  return joined(contender.claims, "; ", [](const JudgedError& judged) {
+    return fmt::format("{}{}{}: {}", judged.claim.printed, short_name(judged.claim.error),
+                       ranges_text(judged.claim.over), name(judged.verdict));
+  });
 }
 
 Json ranges_json(const ErrorClaim& claim) {
@@ -61,9 +46,7 @@ Json ranges_json(const ErrorClaim& claim) {
 }
 
 std::string beaten(const StudyContender& contender) {
-  std::vector<std::size_t> numbers;
-  for (const std::size_t i : contender.beats) numbers.push_back(i + 1);
-  return fmt::format("{}", fmt::join(numbers, ", "));
+  return joined(contender.beats, ", ", [](std::size_t place) { return fmt::to_string(place + 1); });
 }
 
 /// The cells of a contender that tables share: from its form to what it beats.
@@ -88,9 +71,8 @@ std::vector<std::string> columns_of(const StudyComparison& comparison) {
 Table without_empty_columns(const Table& table) {
   Table result{{}, std::vector<std::vector<Cell>>(table.rows.size())};
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-      return text(row[i], Precision::report).empty();
-    });
+    const bool is_empty = std::ranges::all_of(
+        table.rows, [&](const auto& row) { return text(row[i], Precision::report).empty(); });
     if (is_empty) continue;
     result.columns.push_back(table.columns[i]);
     for (std::size_t j = 0; j < table.rows.size(); ++j) result.rows[j].push_back(table.rows[j][i]);
@@ -100,16 +82,15 @@ Table without_empty_columns(const Table& table) {
 
 }  // namespace
 
-std::string ranges_text(const ErrorClaim& claim) {
-  std::string text;
-  for (const StudyRange& range : claim.over)
-    text += fmt::format(", {} in {}:{}", range.variable, range.lower, range.upper);
-  return text;
+std::string ranges_text(const std::vector<StudyRange>& ranges) {
+  return joined(ranges, "", [](const StudyRange& range) {
+    return fmt::format(", {} in {}:{}", range.variable, range.lower, range.upper);
+  });
 }
 
 std::string error_in_words(std::string_view key) {
   std::string words(key);
-  std::replace(words.begin(), words.end(), '_', ' ');
+  std::ranges::replace(words, '_', ' ');
   return words;
 }
 
@@ -120,17 +101,14 @@ std::string curve_in_words(std::string_view key) {
 }
 
 std::string target_of(const StudyComparison& comparison) {
-  const auto& rows = comparison.study.rows;
-  if (rows) return rows->file + (comparison.study.given.empty() ? "" : ", " + given_text(comparison.study));
-  std::string out = comparison.study.target;
-  for (const StudyRange& range : comparison.study.over)
-    out += fmt::format(", {} in {}:{}", range.variable, range.lower, range.upper);
-  const std::string given = given_text(comparison.study);
-  return given.empty() ? out : out + ", " + given;
+  const Study& study = comparison.study;
+  const std::string given = given_text(study);
+  return (study.rows ? study.rows->file : study.target + ranges_text(study.over)) +
+         (given.empty() ? "" : ", " + given);
 }
 
 Table study_comparison_table(const StudyComparison& comparison) {
-  Table table{{"row"}, {}};
+  Table table{{"row"}};
   const auto columns = columns_of(comparison);
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
@@ -142,7 +120,7 @@ Table study_comparison_table(const StudyComparison& comparison) {
 }
 
 Table study_comparisons_table(const std::vector<StudyComparison>& comparisons) {
-  Table table{{"name", "curve"}, {}};
+  Table table{{"name", "curve"}};
   const auto columns = columns_of(comparisons.front());
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   for (const StudyComparison& comparison : comparisons) {
@@ -158,13 +136,6 @@ Table study_comparisons_table(const std::vector<StudyComparison>& comparisons) {
 Json study_comparison_json(const StudyComparison& comparison) {
   Json contenders = Json::array();
   for (const StudyContender& contender : comparison.contenders) {
-    Json parameters = Json::object(), printed, at = Json::object();
-    for (std::size_t i = 0; i < contender.names.size(); ++i) {
-      parameters[contender.names[i]] = contender.values[i];
-      if (!contender.printed.empty()) printed[contender.names[i]] = contender.printed[i];
-    }
-    for (std::size_t i = 0; i < comparison.variables.size(); ++i)
-      at[comparison.variables[i]] = contender.max_error.at[i];
     const auto& judgement = contender.judgement;
     Json claims = Json::array();
     for (const JudgedError& judged : contender.claims)
@@ -178,10 +149,10 @@ Json study_comparison_json(const StudyComparison& comparison) {
          {"form", contender.form},
          {"formula", contender.formula},
          {"from", contender.origin},
-         {"parameters", parameters},
-         {"printed", printed},
+         {"parameters", json_object(contender.names, contender.values)},
+         {"printed", contender.printed.empty() ? Json() : json_object(contender.names, contender.printed)},
          {comparison.error, contender.max_error.magnitude},
-         {"at", at},
+         {"at", json_object(comparison.variables, contender.max_error.at)},
          {"operations", to_text(contender.operations)},
          {"instructions", contender.operations.total()},
          {"verdict", judgement ? Json(name(judgement->verdict)) : Json()},
@@ -192,18 +163,10 @@ Json study_comparison_json(const StudyComparison& comparison) {
          {"claims", claims},
          {"beats", contender.beats}});
   }
-  Json given = Json::object();
-  for (const auto& [name, value] : comparison.study.given) given[name] = value;
   return {{"target", comparison.study.target},
-          {"given", given},
+          {"given", json_object(comparison.study.given)},
           {"contenders", contenders},
           {"left_out", comparison.left_out}};
-}
-
-std::string left_out_lines(const StudyComparison& comparison) {
-  std::string lines;
-  for (const std::string& line : comparison.left_out) lines += "Left out: " + line + "\n";
-  return lines;
 }
 
 }  // namespace shadefit

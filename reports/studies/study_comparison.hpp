@@ -10,8 +10,8 @@
 /// The published constants of a study and the alternatives, as rows and as JSON.
 namespace shadefit {
 
-/// ", n in 2:10": the ranges of a claim that are not those of its study, to follow a word.
-std::string ranges_text(const ErrorClaim& claim);
+/// ", n in 2:10": ranges, to follow a word.
+std::string ranges_text(const std::vector<StudyRange>& ranges);
 
 /// "acos(x), x in 0:1", with the given constants.
 std::string target_of(const StudyComparison& comparison);
@@ -31,8 +31,5 @@ Table study_comparisons_table(const std::vector<StudyComparison>& comparisons);
 
 /// One object for each target.
 nlohmann::ordered_json study_comparison_json(const StudyComparison& comparison);
-
-/// A line for each fit without a row, because it did not converge.
-std::string left_out_lines(const StudyComparison& comparison);
 
 }  // namespace shadefit

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,12 +12,12 @@
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/gnuplot_text.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/studies/study_comparison.hpp"
 
 namespace shadefit {
 namespace {
 
-constexpr std::array looks{Look::first, Look::second, Look::third, Look::fourth};
 constexpr int slices_height = 260;
 
 /// Formulas with constants along the first variable; the others are fixed.
@@ -35,7 +34,7 @@ struct Slice {
       for (std::size_t i = 0; i < study->axes.size(); ++i) {
         if (study->axes[i].variable == name) return i == 0 ? x : fixed[i - 1];
       }
-      const auto found = std::find(study->parameters.begin(), study->parameters.end(), name);
+      const auto found = std::ranges::find(study->parameters, name);
       return parameters->at(static_cast<std::size_t>(found - study->parameters.begin()));
     });
   }
@@ -58,34 +57,22 @@ void require_drawable(std::size_t variables) {
     throw UserError(fmt::format("--plot draws one or two variables: the study has {}", variables));
 }
 
-Cell plotted_if_finite(double value) {
-  return std::isfinite(value) ? plotted(value) : Cell();
-}
-
-/// Even places from one end to the other.
-std::vector<double> abscissae(const StudyAxis& axis) {
-  std::vector<double> places;
-  constexpr int steps = 2 * plot_steps;
-  for (int i = 0; i <= steps; ++i) places.push_back(axis.lower + (axis.upper - axis.lower) * i / steps);
-  return places;
-}
-
 /// Four values of the second variable, from one end to the other; of measured rows, values that they have.
 std::vector<double> drawn_levels(const ReadStudy& study) {
   const StudyAxis& axis = study.axes.at(1);
   std::vector<double> levels;
   if (study.rows) {
     levels = study.rows->places[1];
-    std::sort(levels.begin(), levels.end());
+    std::ranges::sort(levels);
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   }
   std::vector<double> drawn;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    const double share = static_cast<double>(i) / (looks.size() - 1);
+  for (std::size_t i = 0; i < curve_looks.size(); ++i) {
+    const double share = static_cast<double>(i) / (curve_looks.size() - 1);
     if (levels.empty())
       drawn.push_back(axis.lower + (axis.upper - axis.lower) * share);
     else
-      drawn.push_back(levels[(levels.size() - 1) * i / (looks.size() - 1)]);
+      drawn.push_back(levels[(levels.size() - 1) * i / (curve_looks.size() - 1)]);
   }
   drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
   return drawn;
@@ -97,12 +84,10 @@ std::string range_of(const StudyAxis& axis) {
 
 /// "g = 0.5", or the constants of the only fit.
 std::string label_of(const FittedStudy& study) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : study.asked().given) parts.push_back(name + " = " + value);
-  const bool is_only = parts.empty();
-  for (std::size_t i = 0; is_only && i < study.fit.names.size(); ++i)
-    parts.push_back(study.fit.names[i] + " = " + text(Number{study.fit.parameters[i], 7}, Precision::report));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  if (!study.asked().given.empty()) return given_text(study.asked());
+  return equations(study.fit.names, study.fit.parameters, [](double value) {
+    return text(Number{value, 7}, Precision::report);
+  });
 }
 
 /// The slices of the figure, at most four, with their labels: of each fit, or of the first at several values
@@ -110,7 +95,7 @@ std::string label_of(const FittedStudy& study) {
 std::vector<std::pair<Slice, std::string>> slices_of(const std::vector<FittedStudy>& studies) {
   std::vector<std::pair<Slice, std::string>> slices;
   for (const FittedStudy& study : studies) {
-    if (study.fit.status != Status::converged || slices.size() == looks.size()) continue;
+    if (study.fit.status != Status::converged || slices.size() == curve_looks.size()) continue;
     if (study.read.axes.size() == 1) {
       slices.push_back({{&study.read, &study.fit.parameters, {}}, label_of(study)});
       continue;
@@ -128,11 +113,11 @@ std::vector<std::pair<Slice, std::string>> slices_of(const std::vector<FittedStu
 /// The columns target, form and error of each slice over the first variable. With measured rows, target and
 /// error are known at the rows only, which follow.
 Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, const StudyAxis& axis) {
-  Table table{{axis.variable}, {}};
+  Table table{{axis.variable}};
   for (std::size_t i = 1; i <= slices.size(); ++i)
     for (const char* column : {"target", "form", "error"})
       table.columns.push_back(fmt::format("{}_{}", column, i));
-  for (const double x : abscissae(axis)) {
+  for (const double x : abscissae(axis.lower, axis.upper)) {
     std::vector<Cell> row{plotted(x)};
     for (const auto& [slice, label] : slices) {
       const double form = slice.at(slice.study->form, x);
@@ -167,21 +152,19 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   Panel curves{.title = gnuplot_unmarked(study_headline(studies.front())),
                .y_label = "value",
                .settings = range_of(axis),
-               .abscissa = axis.variable,
-               .curves = {}};
+               .abscissa = axis.variable};
   Panel errors{.x_label = gnuplot_unmarked(axis.variable),
                .y_label = "form − target",
                .settings = range_of(axis),
-               .abscissa = axis.variable,
-               .curves = {}};
+               .abscissa = axis.variable};
   const bool is_measured = first.rows != nullptr;
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const std::string label = gnuplot_unmarked(slices[i].second);
     curves.curves.push_back({fmt::format("target_{}", i + 1), is_measured ? "rows" : "target", Look::target,
                              false, is_measured, !is_measured});
-    curves.curves.push_back({fmt::format("form_{}", i + 1), label, looks.at(i)});
+    curves.curves.push_back({fmt::format("form_{}", i + 1), label, curve_looks.at(i)});
     errors.curves.push_back(
-        {fmt::format("error_{}", i + 1), label, looks.at(i), false, is_measured, !is_measured});
+        {fmt::format("error_{}", i + 1), label, curve_looks.at(i), false, is_measured, !is_measured});
   }
   errors.settings += "set yrange " + range_around(table, errors.curves) + "\n";
   const Plot plot{.name = "fit",
@@ -198,20 +181,19 @@ Figure better_study_figure(const StudyComparison& comparison) {
   const StudyContender* best = nullptr;
   for (const StudyContender& contender : comparison.contenders) {
     const bool is_published = contender.published != nullptr;
-    if (is_published && shown.size() + 1 < looks.size()) shown.push_back(&contender);
+    if (is_published && shown.size() + 1 < curve_looks.size()) shown.push_back(&contender);
     const bool is_candidate = !is_published && (!contender.beats.empty() || shown.empty());
     if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
       best = &contender;
   }
   if (best != nullptr) shown.push_back(best);
   const std::string& variable = comparison.variables.front();
-  Table table{{variable}, {}};
+  Table table{{variable}};
   const auto& measured = comparison.study.rows;
   Panel panel{.title = gnuplot_unmarked(measured ? measured->file : comparison.study.target),
               .x_label = gnuplot_unmarked(variable),
               .y_label = curve_in_words(comparison.error),
-              .abscissa = variable,
-              .curves = {}};
+              .abscissa = variable};
   // Of two variables: at the value of the second where the first curve has its largest error.
   std::vector<double> fixed(shown.front()->max_error.at.begin() + 1, shown.front()->max_error.at.end());
   if (!fixed.empty())
@@ -227,14 +209,14 @@ Figure better_study_figure(const StudyComparison& comparison) {
          gnuplot_unmarked(fmt::format(
              "{}: {}", shown[i]->form,
              shown[i]->published != nullptr ? short_source(shown[i]->origin) : "best, " + shown[i]->origin)),
-         looks.at(i)});
+         curve_looks.at(i)});
   }
   const StudyAxis& axis = read.front().axes.front();
   // Measured rows are the only places where the error is known.
   const bool is_measured = read.front().rows != nullptr;
   const Slice first{&read.front(), &shown.front()->values, fixed};
   const auto rows = is_measured ? first.rows() : std::vector<std::size_t>{};
-  std::vector<double> places = is_measured ? std::vector<double>{} : abscissae(axis);
+  std::vector<double> places = is_measured ? std::vector<double>{} : abscissae(axis.lower, axis.upper);
   for (const std::size_t row : rows) places.push_back(read.front().rows->places[0][row]);
   for (std::size_t place = 0; place < places.size(); ++place) {
     std::vector<Cell> cells{plotted(places[place])};

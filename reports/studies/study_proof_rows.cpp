@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "fit/support/hex_float.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/statement.hpp"
@@ -19,12 +20,6 @@ std::string error_text(const Study& study) {
   if (study.error == Error::absolute)
     return is_weighted ? fmt::format("({}) (form - target)", study.weight) : "form - target";
   return (is_weighted ? fmt::format("({}) ", study.weight) : "") + "(form - target)/target";
-}
-
-std::string definition_text(const StudyDefinition& definition) {
-  const std::string arguments =
-      definition.arguments.empty() ? "" : fmt::format("({})", fmt::join(definition.arguments, ", "));
-  return fmt::format("{}{} = {}", definition.name, arguments, definition.formula);
 }
 
 }  // namespace
@@ -75,7 +70,7 @@ std::string ends_text(const StudyCertificate& certificate) {
 Json study_proof_json(const ProvenStudy& proof) {
   const StudyCertificate& certificate = proof.certified.certificate;
   const auto& [study, constants] = certificate.subject;
-  Json over = Json::object(), given = Json::object(), parameters = Json::object(), at = Json::object();
+  Json over = Json::object(), at = Json::object();
   for (std::size_t i = 0; i < study.over.size(); ++i) {
     const StudyRange& range = study.over[i];
     const Domain& doubles = certificate.ranges[i];
@@ -83,16 +78,14 @@ Json study_proof_json(const ProvenStudy& proof) {
                             {"doubles", {doubles.lower, doubles.upper}}};
     at[range.variable] = certificate.attained[i];
   }
-  for (const auto& [name, value] : study.given) given[name] = value;
-  for (const auto& [name, value] : constants) parameters[name] = value;
   return {{"schema", fit_json_schema},
           {"target", study.target},
           {"form", study.form},
           {"over", over},
-          {"given", given},
+          {"given", json_object(study.given)},
           {"error", name(study.error)},
           {"weight", study.weight},
-          {"parameters", parameters},
+          {"parameters", json_object(constants)},
           {"parameters_from", proof.from},
           {"certified_max_error", {certificate.lower, certificate.upper}},
           {"certified_max_error_at", at},
@@ -106,11 +99,10 @@ void add_study_proof(Json& fit, const ProvenStudy& proof) {
 }
 
 std::string attained_text(const StudyCertificate& certificate) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < certificate.attained.size(); ++i)
-    parts.push_back(
-        fmt::format("{} = {}", certificate.subject.study.over[i].variable, certificate.attained[i]));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  auto coordinate = certificate.attained.begin();
+  return joined(certificate.subject.study.over, ", ", [&](const StudyRange& range) {
+    return fmt::format("{} = {}", range.variable, *coordinate++);
+  });
 }
 
 std::string statement_of(const StudyCertificate& certificate) {

@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fit/verdicts/study_objectives.hpp"
+#include "reports/io/joined.hpp"
+#include "reports/rows/comparisons.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
 
@@ -21,22 +24,11 @@ const StudyContender* contender_of(const StudyComparison& comparison, const Publ
   return nullptr;
 }
 
-std::string words_of(StatedError error) {
-  switch (error) {
-    case StatedError::max_abs_error:
-      return "Largest error";
-    case StatedError::max_rel_error:
-      return "Largest relative error";
-    case StatedError::mean_abs_error:
-      return "Mean error";
-    case StatedError::mean_rel_error:
-      return "Mean relative error";
-    case StatedError::rms_error:
-      return "Rms error";
-    case StatedError::mean_square_error:
-      return "Mean square error";
-  }
-  return "Error";
+std::string_view words_of(StatedError error) {
+  constexpr std::array<std::string_view, stated_errors.size()> words{
+      "Largest error", "Largest relative error", "Mean error", "Mean relative error",
+      "Rms error",     "Mean square error"};
+  return words.at(static_cast<std::size_t>(error));
 }
 
 /// What came of the fits that were tried.
@@ -110,11 +102,8 @@ std::vector<std::string> study_statement(const StudyFile& file) {
   if (!file.about.empty()) lines.push_back(file.about);
   lines.push_back("Target: " +
                   (file.study.rows ? "the rows of " + file.study.rows->file : file.study.target));
-  for (const StudyDefinition& definition : file.study.definitions) {
-    const std::string arguments =
-        definition.arguments.empty() ? "" : fmt::format("({})", fmt::join(definition.arguments, ", "));
-    lines.push_back(fmt::format("where {}{} = {}", definition.name, arguments, definition.formula));
-  }
+  for (const StudyDefinition& definition : file.study.definitions)
+    lines.push_back("where " + definition_text(definition));
   for (const StudyRange& range : file.study.over)
     if (!file.study.rows)
       lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
@@ -127,7 +116,7 @@ std::vector<std::string> study_statement(const StudyFile& file) {
 
 std::vector<std::string> published_lines(const PublishedSet& set,
                                          const std::vector<StudyComparison>& comparisons) {
-  std::vector<std::string> lines{fmt::format("{}: {} ({})", set.form, printed_text(set.values), set.source)};
+  std::vector<std::string> lines{fmt::format("{}: {} ({})", set.form, equations(set.values), set.source)};
   for (const StudyComparison& comparison : comparisons) {
     const StudyContender* contender = contender_of(comparison, set);
     if (contender == nullptr) continue;
@@ -140,12 +129,12 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     append_better(comparison, *contender, lines);
     for (const JudgedError& judged : contender->claims)
       lines.push_back(fmt::format("{}{}: stated {}, computed {}: {}", words_of(judged.claim.error),
-                                  ranges_text(judged.claim), judged.claim.printed,
+                                  ranges_text(judged.claim.over), judged.claim.printed,
                                   text(Number{judged.computed, 4}, Precision::report), name(judged.verdict)));
   }
   if (!set.where.empty()) lines.push_back(fmt::format("Used in: {}", fmt::join(set.where, "; ")));
   for (const MistypedCopy& copy : set.variants)
-    lines.push_back(fmt::format("Mistyped: {} in {}", printed_text(copy.values), copy.seen));
+    lines.push_back(fmt::format("Mistyped: {} in {}", equations(copy.values), copy.seen));
   return lines;
 }
 
@@ -169,7 +158,7 @@ std::vector<File> study_files_of(const StudyFile& file, const std::vector<StudyC
   for (const StudyComparison& comparison : comparisons) {
     page += fmt::format("\n## {}\n\n{}", target_of(comparison),
                         markdown_block(study_comparison_table(comparison)));
-    page += left_out_lines(comparison);
+    page += left_out_lines(comparison.left_out);
   }
   page += fmt::format(
       "\n{} The largest errors are sampled. `beats` names published rows with a larger error at no fewer instructions.\n",

@@ -9,7 +9,9 @@
 
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/alternation.hpp"
+#include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
@@ -27,7 +29,7 @@ std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
     for (const StudyAxis& axis : studies.front().read.axes) columns.push_back("at " + axis.variable);
     return columns;
   }
-  const bool is_absolute = std::any_of(studies.begin(), studies.end(), [](const FittedStudy& study) {
+  const bool is_absolute = std::ranges::any_of(studies, [](const FittedStudy& study) {
     return study.fit.statistics && study.fit.statistics->is_absolute;
   });
   return {"largest residual", "row", is_absolute ? "reduced chi-square" : "s"};
@@ -61,9 +63,10 @@ std::string range_text(const StudyRange& range) {
   return range.density == "1" ? text : fmt::format("{}, density {}", text, range.density);
 }
 
-Json parameters_json(const FittedStudy& study, const std::vector<double>& values) {
+/// A place as an object of variables to values.
+Json place_json(const FittedStudy& study, const std::vector<double>& at) {
   Json object = Json::object();
-  for (std::size_t i = 0; i < values.size(); ++i) object[study.fit.names[i]] = values[i];
+  for (std::size_t i = 0; i < at.size(); ++i) object[study.read.axes[i].variable] = at[i];
   return object;
 }
 
@@ -76,42 +79,23 @@ Json alternation_json(const FittedStudy& study) {
                       {"holds", what_holds(point, constraints)}});
   }
   for (const StudyContact& contact : study.fit.touching) {
-    points.push_back(Json::object());
-    for (std::size_t i = 0; i < contact.at.size(); ++i)
-      points.back()[study.read.axes[i].variable] = contact.at[i];
+    points.push_back(place_json(study, contact.at));
     points.back()["error"] = contact.error;
     points.back()["holds"] = "level";
   }
   return points;
 }
 
-Json place_json(const FittedStudy& study) {
-  Json object = Json::object();
-  for (std::size_t i = 0; i < study.fit.max_abs_error.at.size(); ++i)
-    object[study.read.axes[i].variable] = study.fit.max_abs_error.at[i];
-  return object;
-}
-
 Json published_json(const FittedStudy& study) {
   Json array = Json::array();
   for (const auto& [set, judgement] : study.published) {
-    Json values = Json::object();
-    for (const auto& [name, text] : set.values) values[name] = text;
-    array.push_back({{"values", values},
+    array.push_back({{"values", json_object(set.values)},
                      {"source", set.source},
                      {"verdict", name(judgement.verdict)},
                      {"objective", judgement.objective.empty() ? Json() : Json(judgement.objective)},
                      {"fits_tried", judgement.tried}});
   }
   return array;
-}
-
-/// The texts of all sets, one after the other.
-template <class Text>
-std::string of_all_sets(const FittedStudy& study, const Text& text) {
-  std::vector<std::string> texts;
-  for (const JudgedSet& judged : study.published) texts.push_back(text(judged));
-  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 /// Digits of an uncertainty: more would be noise.
@@ -128,10 +112,6 @@ std::vector<Cell> cells_of(const FittedStudy& study, std::size_t parameter) {
   const ProfileInterval& profile = statistics.profiles[parameter];
   return {Number{statistics.standard_errors[parameter], shown_digits}, end_cell(profile.lower),
           end_cell(profile.upper)};
-}
-
-Json end_json(const std::optional<double>& end) {
-  return end ? Json(*end) : Json();
 }
 
 /// Adds what only fits of measured rows have.
@@ -151,92 +131,18 @@ void add_row_fields(Json& object, const FittedStudy& study) {
     errors[names[i]] = statistics->standard_errors[i];
     for (std::size_t j = 0; j < names.size(); ++j)
       covariance[names[i]][names[j]] = statistics->covariance[i][j];
-    profile[names[i]] = {end_json(statistics->profiles[i].lower), end_json(statistics->profiles[i].upper)};
+    profile[names[i]] = {optional_json(statistics->profiles[i].lower),
+                         optional_json(statistics->profiles[i].upper)};
   }
   object["standard_error"] = statistics ? errors : Json();
   object["covariance"] = statistics ? covariance : Json();
   object["profile"] = statistics ? profile : Json();
 }
 
-}  // namespace
-
-std::string verdict_in_words(const StudyJudgement& judgement) {
-  const std::string verdict(name(judgement.verdict));
-  const bool has_objective =
-      judgement.verdict == Verdict::other_objective || judgement.verdict == Verdict::undecidable;
-  return has_objective ? verdict + ": " + judgement.objective : verdict;
-}
-
-std::string verdict_text(const StudyJudgement& judgement) {
-  return fmt::format("{} ({} tried)", verdict_in_words(judgement), judgement.tried);
-}
-
-std::string short_source(const std::string& source) {
-  constexpr std::size_t year = 4;
-  for (std::size_t at = 0; at + year <= source.size(); ++at) {
-    const std::string_view word = std::string_view(source).substr(at, year);
-    const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
-    if (std::all_of(word.begin(), word.end(), is_digit)) return source.substr(0, at + year);
-  }
-  return source.substr(0, source.find_first_of(",:"));
-}
-
-std::string printed_text(const PrintedValues& values) {
-  std::vector<std::string> texts;
-  for (const auto& [name, text] : values) texts.push_back(name + " = " + text);
-  return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-Table study_table(const std::vector<FittedStudy>& studies) {
-  const FittedStudy& first = studies.front();
-  Table table;
-  for (const auto& [name, value] : first.asked().given) table.columns.push_back(name);
-  for (const std::string& name : first.fit.names) table.columns.push_back(name);
-  for (const char* column : {"status", "digits", "rms error"}) table.columns.emplace_back(column);
-  for (const std::string& column : last_columns(studies)) table.columns.push_back(column);
-  const bool has_published = std::any_of(studies.begin(), studies.end(),
-                                         [](const FittedStudy& study) { return !study.published.empty(); });
-  if (has_published) table.columns.insert(table.columns.end(), {"published", "verdict"});
-  for (const FittedStudy& study : studies) {
-    std::vector<Cell> row;
-    for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
-    for (const double p : study.fit.parameters)
-      row.push_back(is_answer(study) ? Cell(Number{p, all_digits}) : Cell());
-    row.emplace_back(std::string(name(study.fit.status)));
-    row.push_back(is_answer(study) ? Cell(static_cast<long>(study.fit.digits)) : Cell());
-    row.push_back(is_answer(study) ? Cell(Number{study.fit.rms_error, 4}) : Cell());
-    if (is_answer(study)) {
-      for (const Cell& cell : last_cells(study)) row.push_back(cell);
-    }
-    row.resize(table.columns.size() - (has_published ? 2 : 0));
-    if (has_published) {
-      row.emplace_back(of_all_sets(study, [](const JudgedSet& j) { return printed_text(j.set.values); }));
-      row.emplace_back(of_all_sets(study, [](const JudgedSet& j) { return verdict_text(j.judgement); }));
-    }
-    table.rows.push_back(row);
-  }
-  return table;
-}
-
-std::string formulas_text(const Study& study) {
-  std::string text = study.form + " ~ " + target_text(study);
-  for (const StudyRange& range : study.over) text += ", " + range_text(range);
-  return text;
-}
-
-std::string study_headline(const FittedStudy& study) {
-  const std::string weight = study.asked().weight == "1" ? "" : ", weight " + study.asked().weight;
-  return fmt::format("{}, {}{}", formulas_text(study.asked()), study.objective.words, weight);
-}
-
-namespace {
-
 /// "- at x = 0.5", "+ at (0.25, 1)".
 std::string contact_text(const StudyContact& contact, const std::string& variable) {
-  std::vector<std::string> at;
-  for (const double coordinate : contact.at) at.push_back(fmt::format("{:.6g}", coordinate));
-  const std::string place = at.size() == 1 ? fmt::format("{} = {}", variable, at.front())
-                                           : fmt::format("({})", fmt::join(at, ", "));
+  const std::string at = joined(contact.at, ", ", [](double x) { return fmt::format("{:.6g}", x); });
+  const std::string place = contact.at.size() == 1 ? variable + " = " + at : "(" + at + ")";
   return fmt::format("{} at {}", contact.error < 0 ? "-" : "+", place);
 }
 
@@ -259,6 +165,76 @@ std::string contacts_text(const StudyFit& fit, const std::string& variable) {
 }
 
 }  // namespace
+
+std::string verdict_in_words(const StudyJudgement& judgement) {
+  const std::string verdict(name(judgement.verdict));
+  const bool has_objective =
+      judgement.verdict == Verdict::other_objective || judgement.verdict == Verdict::undecidable;
+  return has_objective ? verdict + ": " + judgement.objective : verdict;
+}
+
+std::string verdict_text(const StudyJudgement& judgement) {
+  return fmt::format("{} ({} tried)", verdict_in_words(judgement), judgement.tried);
+}
+
+std::string short_source(const std::string& source) {
+  constexpr std::size_t year = 4;
+  for (std::size_t at = 0; at + year <= source.size(); ++at) {
+    const std::string_view word = std::string_view(source).substr(at, year);
+    const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+    if (std::ranges::all_of(word, is_digit)) return source.substr(0, at + year);
+  }
+  return source.substr(0, source.find_first_of(",:"));
+}
+
+Table study_table(const std::vector<FittedStudy>& studies) {
+  const FittedStudy& first = studies.front();
+  Table table;
+  for (const auto& [name, value] : first.asked().given) table.columns.push_back(name);
+  for (const std::string& name : first.fit.names) table.columns.push_back(name);
+  for (const char* column : {"status", "digits", "rms error"}) table.columns.emplace_back(column);
+  for (const std::string& column : last_columns(studies)) table.columns.push_back(column);
+  const bool has_published =
+      std::ranges::any_of(studies, [](const FittedStudy& study) { return !study.published.empty(); });
+  if (has_published) table.columns.insert(table.columns.end(), {"published", "verdict"});
+  for (const FittedStudy& study : studies) {
+    std::vector<Cell> row;
+    for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
+    for (const double p : study.fit.parameters)
+      row.push_back(is_answer(study) ? Cell(Number{p, all_digits}) : Cell());
+    row.emplace_back(std::string(name(study.fit.status)));
+    row.push_back(is_answer(study) ? Cell(static_cast<long>(study.fit.digits)) : Cell());
+    row.push_back(is_answer(study) ? Cell(Number{study.fit.rms_error, 4}) : Cell());
+    if (is_answer(study)) {
+      for (const Cell& cell : last_cells(study)) row.push_back(cell);
+    }
+    row.resize(table.columns.size() - (has_published ? 2 : 0));
+    if (has_published) {
+      row.emplace_back(
+          joined(study.published, "; ", [](const JudgedSet& j) { return equations(j.set.values); }));
+      row.emplace_back(
+          joined(study.published, "; ", [](const JudgedSet& j) { return verdict_text(j.judgement); }));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::string definition_text(const StudyDefinition& definition) {
+  const std::string arguments =
+      definition.arguments.empty() ? "" : fmt::format("({})", fmt::join(definition.arguments, ", "));
+  return fmt::format("{}{} = {}", definition.name, arguments, definition.formula);
+}
+
+std::string formulas_text(const Study& study) {
+  return study.form + " ~ " + target_text(study) +
+         joined(study.over, "", [](const StudyRange& range) { return ", " + range_text(range); });
+}
+
+std::string study_headline(const FittedStudy& study) {
+  const std::string weight = study.asked().weight == "1" ? "" : ", weight " + study.asked().weight;
+  return fmt::format("{}, {}{}", formulas_text(study.asked()), study.objective.words, weight);
+}
 
 std::string level_text(const FittedStudy& study) {
   if (!is_answer(study)) return "";
@@ -308,8 +284,8 @@ void add_uncertainty_columns(Table& table, const std::vector<FittedStudy>& studi
 }
 
 std::string uncertainty_text(const std::vector<FittedStudy>& studies) {
-  const auto found = std::find_if(studies.begin(), studies.end(),
-                                  [](const FittedStudy& study) { return study.fit.statistics.has_value(); });
+  const auto found = std::ranges::find_if(
+      studies, [](const FittedStudy& study) { return study.fit.statistics.has_value(); });
   if (found == studies.end()) {
     const FittedStudy& first = studies.front();
     if (first.fit.status != Status::converged || first.fit.level) return "";
@@ -328,20 +304,19 @@ std::string uncertainty_text(const std::vector<FittedStudy>& studies) {
 nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
   Json array = Json::array();
   for (const FittedStudy& study : studies) {
-    Json over = Json::object(), given = Json::object();
+    Json over = Json::object();
     for (const StudyRange& range : study.asked().over)
       over[range.variable] = {{"range", {range.lower, range.upper}}, {"density", range.density}};
     for (const StudyAxis& axis : study.read.axes) {
       if (study.asked().rows)
         over[axis.variable] = {{"range", {to_text(axis.lower), to_text(axis.upper)}}, {"density", Json()}};
     }
-    for (const auto& [name, value] : study.asked().given) given[name] = value;
     const bool has_answer = is_answer(study);
     const auto& rows = study.asked().rows;
     array.push_back({{"target", rows ? Json() : Json(study.asked().target)},
                      {"form", study.asked().form},
                      {"over", over},
-                     {"given", given},
+                     {"given", json_object(study.asked().given)},
                      {"norm", study.fit.level ? "minimax" : "least-squares"},
                      {"error", name(study.asked().error)},
                      {"weight", study.asked().weight},
@@ -350,12 +325,12 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"starts", study.fit.starts},
                      {"global", study.fit.is_global},
                      {"unique", has_answer ? Json(study.fit.is_unique) : Json()},
-                     {"parameters", has_answer ? parameters_json(study, study.fit.parameters) : Json()},
+                     {"parameters", has_answer ? json_object(study.fit.names, study.fit.parameters) : Json()},
                      {"digits", has_answer ? Json(study.fit.digits) : Json()},
                      {"rms_error", has_answer ? Json(study.fit.rms_error) : Json()},
                      {"max_abs_error", has_answer ? Json(study.fit.max_abs_error.magnitude) : Json()},
-                     {"at", has_answer ? place_json(study) : Json()},
-                     {"level", has_answer && study.fit.level ? Json(*study.fit.level) : Json()},
+                     {"at", has_answer ? place_json(study, study.fit.max_abs_error.at) : Json()},
+                     {"level", has_answer ? optional_json(study.fit.level) : Json()},
                      {"alternation", alternation_json(study)},
                      {"published", published_json(study)}});
     if (rows) add_row_fields(array.back(), study);

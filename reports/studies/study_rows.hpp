@@ -38,12 +38,12 @@ std::string verdict_text(const StudyJudgement& judgement);
 /// A source for a table: the authors and the year; without a year up to the first comma or colon.
 std::string short_source(const std::string& source);
 
-/// "a = 1.5707963, b = -0.156583"
-std::string printed_text(const PrintedValues& values);
-
 /// A row for each fit: the given constants, the parameters, status, digits and errors; where something was
 /// published, its digits and the verdict.
 Table study_table(const std::vector<FittedStudy>& studies);
+
+/// "f(x) = x^2".
+std::string definition_text(const StudyDefinition& definition);
 
 /// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1".
 std::string formulas_text(const Study& study);

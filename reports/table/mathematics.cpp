@@ -109,9 +109,8 @@ std::string latex_relation(const std::string& s, const NameList& names) {
   std::string out;
   for (std::size_t from = 0;;) {
     const auto place = [&](const Replacement& relation) { return s.find(relation.first, from); };
-    const auto* next =
-        std::min_element(relations.begin(), relations.end(),
-                         [&](const Replacement& a, const Replacement& b) { return place(a) < place(b); });
+    const auto* next = std::ranges::min_element(
+        relations, [&](const Replacement& a, const Replacement& b) { return place(a) < place(b); });
     const std::size_t to = std::min(place(*next), s.size());
     out += latex_side(s.substr(from, to - from), names);
     if (to == s.size()) return out;

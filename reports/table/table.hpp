@@ -29,7 +29,7 @@ inline Cell all_of(double value) {
 
 struct Table {
   std::vector<std::string> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<std::vector<Cell>> rows = {};
 };
 
 enum class Precision {

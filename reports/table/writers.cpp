@@ -13,6 +13,7 @@
 
 #include "fit/least_squares/status.hpp"
 #include "fit/verdicts/verdict.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/mathematics.hpp"
 
@@ -32,8 +33,7 @@ Texts texts(const Table& table, Precision precision) {
 
 /// The number of code points: in this project's texts each takes one cell of a terminal.
 std::size_t width(const std::string& s) {
-  return static_cast<std::size_t>(
-      std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::ranges::count_if(s, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 std::vector<std::size_t> widths(const Table& table, const Texts& rows, std::size_t least) {
@@ -72,9 +72,7 @@ std::string csv_cell(const std::string& s) {
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const auto& cell : cells) line += (&cell == &cells.front() ? "" : ",") + csv_cell(cell);
-  return line + '\n';
+  return joined(cells, ",", csv_cell) + '\n';
 }
 
 std::string without_pipes(std::string s) {
@@ -84,7 +82,7 @@ std::string without_pipes(std::string s) {
 
 /// "max_abs_error" as "max abs error".
 std::vector<std::string> in_words(std::vector<std::string> titles) {
-  for (std::string& title : titles) std::replace(title.begin(), title.end(), '_', ' ');
+  for (std::string& title : titles) std::ranges::replace(title, '_', ' ');
   return titles;
 }
 
@@ -96,7 +94,7 @@ std::string latex_character(char c) {
                                                                     {'<', "\\textless{}"},
                                                                     {'>', "\\textgreater{}"},
                                                                     {'|', "\\textbar{}"}}};
-  const auto* found = std::find_if(named.begin(), named.end(), [&](const auto& n) { return n.first == c; });
+  const auto* found = std::ranges::find(named, c, &std::pair<char, std::string_view>::first);
   if (found != named.end()) return std::string(found->second);
   const bool is_special = std::string_view("&%$#_{}").find(c) != std::string_view::npos;
   const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
@@ -104,9 +102,7 @@ std::string latex_character(char c) {
 }
 
 std::string latex_words(const std::string& s) {
-  std::string out;
-  for (const char c : s) out += latex_character(c);
-  return out;
+  return joined(s, "", latex_character);
 }
 
 /// "`c^k` falls" as "$c^{k}$ falls"; nothing for a text without marks, or whose marks hold no formulas.
@@ -133,9 +129,7 @@ std::string latex_cell(const std::string& s, MoreNames names) {
 }
 
 std::string latex_line(const std::vector<std::string>& cells, MoreNames names) {
-  std::string line;
-  for (const auto& cell : cells) line += (&cell == &cells.front() ? "" : " & ") + latex_cell(cell, names);
-  return line + " \\\\\n";
+  return joined(cells, " & ", [&](const std::string& cell) { return latex_cell(cell, names); }) + " \\\\\n";
 }
 
 /// A column on a terminal.
@@ -172,8 +166,7 @@ bool is_largest_error(const ConsoleColumn& column) {
 /// What a reader came for: the constants, where they are from, and the first of the largest errors.
 bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleColumn>::iterator column) {
   return column->title == "constants" || column->title == "from" ||
-         (is_largest_error(*column) &&
-          std::find_if(columns.begin(), columns.end(), is_largest_error) == column);
+         (is_largest_error(*column) && std::ranges::find_if(columns, is_largest_error) == column);
 }
 
 /// The next column to drop; `columns.end()` if all must stay.
@@ -181,8 +174,7 @@ std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& colu
   constexpr std::array<std::string_view, 6> details{"digits", "status",    "at c",
                                                     "under",  "published", "rms error"};
   for (const std::string_view title : details) {
-    const auto found = std::find_if(columns.begin(), columns.end(),
-                                    [&](const ConsoleColumn& column) { return column.title == title; });
+    const auto found = std::ranges::find(columns, title, &ConsoleColumn::title);
     if (found != columns.end() && found != columns.begin()) return found;
   }
   auto last_one = columns.end();
@@ -212,9 +204,8 @@ std::vector<std::string> fit_columns(std::vector<ConsoleColumn>& columns, std::s
     const auto slack = [](const ConsoleColumn& column) {
       return column.width > column.least ? column.width : 0;
     };
-    const auto widest =
-        std::max_element(columns.begin(), columns.end(),
-                         [&](const ConsoleColumn& a, const ConsoleColumn& b) { return slack(a) < slack(b); });
+    const auto widest = std::ranges::max_element(
+        columns, [&](const ConsoleColumn& a, const ConsoleColumn& b) { return slack(a) < slack(b); });
     if (slack(*widest) == 0) break;
     --widest->width;
   }
@@ -231,7 +222,7 @@ std::string write_csv(const Table& table, Precision precision) {
 
 std::string write_markdown(const Table& table, Precision precision) {
   auto rows = texts(table, precision);
-  for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), without_pipes);
+  for (auto& row : rows) std::ranges::transform(row, row.begin(), without_pipes);
   const auto width_of = widths(table, rows, 3);
   const std::vector<bool> are_numeric = numeric_columns(table);
   const auto line = [&](const std::vector<std::string>& cells) {
@@ -306,7 +297,7 @@ std::string with_coloured_verdicts(std::string text, const Terminal& terminal) {
 
 std::string write_console(const Table& table, Precision precision, const Terminal& terminal) {
   auto rows = texts(table, precision);
-  for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), printable);
+  for (auto& row : rows) std::ranges::transform(row, row.begin(), printable);
   auto columns = console_columns(table, rows);
   const auto dropped =
       terminal.width == 0 ? std::vector<std::string>{} : fit_columns(columns, terminal.width);

@@ -9,7 +9,6 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/studies/find_study.hpp"
-#include "app/studies/read_study_file.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/user_error.hpp"

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/studies/read_study_file.hpp"
+#include "app/studies/find_study.hpp"
 #include "fit/support/user_error.hpp"
 
 // One input is a study in TOML: read, and then each of its forms, for the first of the given constants.

@@ -1,4 +1,4 @@
-#include "reports/figures/fit_figure.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <gtest/gtest.h>
 

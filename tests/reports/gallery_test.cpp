@@ -12,8 +12,8 @@
 #include "fit/better/prove_contenders.hpp"
 #include "fit/better/round_contenders.hpp"
 #include "fit/scalars/half.hpp"
-#include "reports/gallery/heat_map.hpp"
 #include "reports/gallery/html.hpp"
+#include "reports/gallery/pictures.hpp"
 
 namespace shadefit {
 namespace {

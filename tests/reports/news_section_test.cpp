@@ -1,4 +1,4 @@
-#include "reports/sections/news_section.hpp"
+#include "reports/sections/sections.hpp"
 
 #include <gtest/gtest.h>
 

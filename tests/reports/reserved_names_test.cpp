@@ -1,4 +1,4 @@
-#include "reports/code/reserved_names.hpp"
+#include "reports/code/shader_code.hpp"
 
 #include <gtest/gtest.h>
 

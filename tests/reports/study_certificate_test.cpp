@@ -156,7 +156,7 @@ TEST(StudyCertificate, ReadsBackAsItWasWritten) {
   for (const StudyCertificate& certificate : certificates()) {
     const std::string text = certificate_text(certificate);
     EXPECT_TRUE(is_study_certificate(text, "f"));
-    const ReadStudyCertificate read = read_study_certificate(text, "f");
+    const ReadCertificate read = read_study_certificate(text, "f");
     EXPECT_EQ(read.refused, "");
     EXPECT_EQ(certificate_text(read.certificate), text);
     EXPECT_EQ(reason_to_refuse(read.certificate), "");

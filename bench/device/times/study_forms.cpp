@@ -9,7 +9,7 @@
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/code/reserved_names.hpp"
+#include "reports/code/shader_code.hpp"
 
 namespace shadefit::device {
 namespace {

@@ -1,11 +1,13 @@
-#include "reports/studies/study_roundings.hpp"
+#include "reports/studies/study_extras.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
 
 #include "fit/support/hex_float.hpp"
+#include "reports/rows/fit_json.hpp"
 #include "reports/rows/rounded.hpp"
+#include "reports/rows/sensitivities.hpp"
 
 namespace shadefit {
 namespace {
@@ -47,40 +49,32 @@ Table roundings_table(const std::vector<FittedStudy>& studies,
   return table;
 }
 
+std::string objective_name(const FittedStudy& study) {
+  return std::string(study.fit.level ? "largest " : "rms ") +
+         (study.asked().error == Error::relative ? "relative error" : "error") +
+         (study.asked().weight == "1" ? "" : " times the weight");
+}
+
 }  // namespace
 
 std::string study_roundings_text(const std::vector<FittedStudy>& studies,
                                  const std::vector<std::optional<RoundedStudy>>& rounded,
                                  const Terminal& terminal) {
-  std::string text = "\n" + write_console(roundings_table(studies, rounded), Precision::report, terminal) +
-                     "Max error: proven, of the form in real numbers.\n";
-  std::vector<std::string> said;  // each sentence once
+  std::vector<std::string> said;
   for (const auto& one : rounded) {
-    if (!one) continue;
-    const std::string sentence =
-        one->is_proven ? fmt::format("Best: proven, among {}.\n", one->searched)
-                       : fmt::format("Best found: of {} constants tried among {}, not proven.\n",
-                                     one->evaluated, one->searched);
-    if (std::find(said.begin(), said.end(), sentence) != said.end()) continue;
-    said.push_back(sentence);
-    text += sentence;
+    if (one) said.push_back(meaning_of_best(*one));
   }
-  return text;
+  return "\n" + write_console(roundings_table(studies, rounded), Precision::report, terminal) +
+         "Max error: proven, of the form in real numbers.\n" + each_once(said);
 }
 
 Json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded) {
   const auto set_json = [&](const RoundedStudySet& set) {
-    Json parameters = Json::object(), decimals = Json::object(), hexes = Json::object(), at = Json::object();
-    for (std::size_t i = 0; i < set.values.size(); ++i) {
-      const std::string& parameter = study.fit.names[i];
-      parameters[parameter] = set.values[i];
-      decimals[parameter] = set.texts[i];
-      hexes[parameter] = hex_text(set.values[i]);
-    }
+    Json at = Json::object();
     for (std::size_t i = 0; i < set.at.size(); ++i) at[study.asked().over[i].variable] = set.at[i];
-    return Json{{"parameters", parameters},
-                {"decimal", decimals},
-                {"hex", hexes},
+    return Json{{"parameters", json_object(study.fit.names, set.values)},
+                {"decimal", json_object(study.fit.names, set.texts)},
+                {"hex", json_object(study.fit.names, set.values, hex_text)},
                 {"max_error", set.max_error},
                 {"at", at}};
   };
@@ -90,6 +84,25 @@ Json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded) 
   json["proven"] = rounded.is_proven;
   json["searched"] = rounded.searched;
   json["tried"] = rounded.evaluated;
+  return json;
+}
+
+std::string study_sensitivity_text(const FittedStudy& study, const StudySensitivity& sensitivity,
+                                   const Terminal& terminal) {
+  const std::string given = given_text(study.asked());
+  const std::string text = digits_text(objective_name(study), given.empty() ? "" : ", " + given,
+                                       study.fit.names, sensitivity.constants, terminal);
+  if (sensitivity.others.empty()) return text;
+  return text + "\n" +
+         write_console(other_fits_table(study.fit.names, sensitivity.others, std::identity()),
+                       Precision::report, terminal);
+}
+
+Json study_sensitivity_json(const FittedStudy& study, const StudySensitivity& sensitivity) {
+  Json json = digits_json(study.fit.names, sensitivity.constants);
+  json["contracts"] = Json::array();
+  for (const auto& [under, fit] : sensitivity.others)
+    add_answer_json(json["contracts"].emplace_back(Json{{"under", under}}), study.fit.names, fit);
   return json;
 }
 

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "fit/rounding/round_study.hpp"
+#include "fit/verdicts/study_sensitivity.hpp"
 #include "reports/studies/study_rows.hpp"
 #include "reports/table/writers.hpp"
 
-/// Rounded constants of studies, as rows and as JSON.
+/// What is computed for a fit of a study on request, as tables and as JSON: rounded constants, and the digits
+/// of constants that matter.
 namespace shadefit {
 
 /// For a terminal: the best constants of the format and the fitted ones rounded, for each fit that has them;
@@ -20,5 +22,12 @@ std::string study_roundings_text(const std::vector<FittedStudy>& studies,
 
 /// One of them as an object, for the `rounded` of a fit's JSON.
 nlohmann::ordered_json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded);
+
+/// For a terminal: digits and intervals of each constant, all constants together, other objectives.
+std::string study_sensitivity_text(const FittedStudy& study, const StudySensitivity& sensitivity,
+                                   const Terminal& terminal);
+
+/// The same as an object, for the `sensitivity` of a fit's JSON.
+nlohmann::ordered_json study_sensitivity_json(const FittedStudy& study, const StudySensitivity& sensitivity);
 
 }  // namespace shadefit

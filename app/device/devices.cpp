@@ -2,11 +2,14 @@
 
 #include "app/options/bench_options.hpp"
 #include "bench/device/probe.hpp"
+#include "bench/device/vulkan_device.hpp"
 #include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/table/table.hpp"
 #include "reports/table/writers.hpp"
 
-/// `bench --probe`.
+/// `bench --list-devices` and `bench --probe`.
 namespace shadefit {
 namespace {
 
@@ -14,12 +17,25 @@ using device::LargestError;
 
 std::vector<Cell> row(const std::string& function, const std::string& range, const LargestError& found,
                       const std::string& unit) {
-  std::string at;
-  for (const float x : found.at) at += (at.empty() ? "" : ", ") + hex_text(x);
-  return {function, range, static_cast<long>(found.count), Number{found.error, 4}, unit, at};
+  return {function,
+          range,
+          static_cast<long>(found.count),
+          Number{found.error, 4},
+          unit,
+          joined(found.at, ", ", hex_text)};
 }
 
 }  // namespace
+
+Outcome list_devices_command(const BenchOptions& options) {
+  Table table{{"device", "name", "kind", "driver", "Vulkan", "half"}};
+  std::size_t place = 0;
+  for (const device::DeviceInfo& info : device::vulkan_devices())
+    table.rows.push_back({fmt::format("vulkan:{}", place++), info.name, info.kind, info.driver, info.vulkan,
+                          std::string(info.has_half ? "yes" : "no")});
+  if (table.rows.empty()) throw UserError("no Vulkan device of this machine can compute");
+  return {0, write_console(table, Precision::report, options.terminal), ""};
+}
 
 Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint) {
   device::VulkanDevice vulkan({.place = options.device.value()});

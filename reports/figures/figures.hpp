@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "fit/run/results.hpp"
+#include "reports/figures/figure.hpp"
+#include "reports/io/files.hpp"
+
+/// The figures of fits and comparisons.
+namespace shadefit {
+
+/// The figures that the results allow: those of each refitted family whose fits all converged.
+std::vector<Figure> make_figures(const Results& results);
+
+/// plots/NAME.csv and plots/NAME.gnuplot of each.
+std::vector<File> plot_files(const std::vector<Figure>& figures);
+
+/// The figure of a comparison: the errors of the published curves, three at most, and of the best curve that
+/// beats one of them, over the domain. On a surface the errors are those of the reflectance F.
+Figure better_figure(const Comparison& comparison);
+
+/// The figure of a fit: the target and the form above, the error below, with the level of a minimax fit and
+/// the places where the error touches it. Of a sweep: the parameters and the largest errors over the
+/// exponent, and beside them target, form and error at three exponents. Only converged fits are drawn. Throws
+/// UserError if there is none.
+Figure fit_figure(const Refit& refit);
+
+/// Of Fresnel's term, `fresnel` and `fresnel-errors`, for the section of that family: the published forms,
+/// Schlick's formula and the exact dielectric.
+std::vector<Figure> fresnel_figures(std::string_view family);
+
+/// Of the two lobe families. A panel needs the fit at its exponent; without the fit it is left out.
+/// `lobe`, `lobe-errors`, `offset`: c^k by exp((k+x)(c-1)).
+std::vector<Figure> gaussian_figures(const Refit& refit);
+
+/// `phong-blinn`, `phong-blinn-errors`: cos^rho(theta) by cos^(x rho)(theta/2).
+std::vector<Figure> phong_blinn_figures(const Refit& refit);
+
+}  // namespace shadefit
