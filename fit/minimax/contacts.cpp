@@ -236,9 +236,8 @@ Contacts::Chain Contacts::alternating(std::size_t count) const {
   }
   // If no parameter moves the error, because every form of the family meets the target, there is nothing to
   // level.
-  const auto unmoved = std::ranges::remove_if(
-      found, [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); });
-  found.erase(unmoved.begin(), unmoved.end());
+  const auto is_unmoved = [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); };
+  found.erase(std::remove_if(found.begin(), found.end(), is_unmoved), found.end());
   const double middle = problem_.one_sided ? (highest + lowest) / 2 : 0;
   const auto height = [&](const Contact& c) { return c.value - middle; };
   std::ranges::sort(found, {}, [](const Contact& c) { return std::pair(c.place.panel, c.place.s); });
