@@ -72,9 +72,9 @@ class Rules {
   }
 
   /// Cuts the panels of a single axis until two small rules agree on the squares of the error and its
-  /// derivatives: a lobe needs narrow panels at its peak.
-  void cut_panels(const std::vector<double>& parameters) {
-    if (edges_.size() != 1) return;
+  /// derivatives: a lobe needs narrow panels at its peak. Returns whether any was cut.
+  bool cut_panels(const std::vector<double>& parameters) {
+    if (edges_.size() != 1) return false;
     const std::vector<StudyEdge> edges = edges_.front();
     std::vector<VectorOf<double>> of_panels;
     for (std::size_t i = 1; i < edges.size(); ++i)
@@ -83,6 +83,7 @@ class Rules {
     edges_.front() = {edges.front()};
     for (std::size_t i = 1; i < edges.size(); ++i)
       cut_panel(edges[i - 1], edges[i], parameters, of_panels[i - 1], whole, 0, edges_.front());
+    return edges_.front().size() > edges.size();
   }
 
  private:

@@ -56,12 +56,16 @@ std::optional<ParameterMatrix<double>> polish(const SampledStudy<double>& sample
 }
 
 /// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
-StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t first) {
+/// `searched` is the study under the first rule, if its panels are still the same.
+StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t first,
+                const SampledStudy<double>* searched) {
   StudyFit fit;
   fit.parameters = candidate.parameters;
   long double best = HUGE_VALL;
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
-    const auto fine = rules.sampled<double>(rule);
+    std::optional<SampledStudy<double>> sampled;
+    if (rule > first || searched == nullptr) sampled.emplace(rules.sampled<double>(rule));
+    const SampledStudy<double>& fine = sampled ? *sampled : *searched;
     std::vector<double> parameters = fit.parameters;
     const auto hessian = polish(fine, parameters);
     if (!hessian) {
@@ -381,8 +385,8 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   // Near a root the first rule is not enough for the kinks; panels that are cut are, and rules tell the
   // digits.
   if (flat.empty() && fit.status != Status::converged) {
-    rules.cut_panels(chosen.parameters);
-    fit = settle(rules, chosen, first);
+    const bool has_same_panels = !rules.cut_panels(chosen.parameters) && !rules.has_moving_kinks();
+    fit = settle(rules, chosen, first, has_same_panels ? &sampled : nullptr);
   } else if (!flat.empty()) {
     fit.parameters = chosen.parameters;
     fit.status = Status::degenerate;

@@ -142,6 +142,7 @@ void append_panel(const StudyAxis& axis, double root, double other, int power, u
 std::vector<AxisNode> axis_nodes(const StudyAxis& axis, const std::vector<StudyEdge>& edges,
                                  unsigned rule_size) {
   std::vector<AxisNode> nodes;
+  nodes.reserve(std::size_t{2} * rule_size * (edges.size() - 1));
   for (std::size_t i = 1; i < edges.size(); ++i) {
     const StudyEdge &left = edges[i - 1], &right = edges[i];
     if (left.power == 1 || right.power == 1) {
@@ -350,6 +351,7 @@ std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& form
                                     const StudyNodes& nodes) {
   TapeProgram<double> program(tape_of(formula, node_variables(study)), {});
   std::vector<double> values, place(nodes.coordinates.size());
+  values.reserve(nodes.weights.size());
   for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
     for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<double>(nodes.coordinates[i][n]);
     program.run(place);
@@ -366,6 +368,8 @@ StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyE
     std::vector<MixedHinge> mixed = mixed_hinges(study, i);
     std::vector<AxisNode> of_axis = axis_nodes(study.axes[i], edges[i], rule_size);
     StudyNodes product{std::vector<std::vector<long double>>(i + 1), {}, 1};
+    product.weights.reserve(nodes.weights.size() * of_axis.size());
+    for (auto& coordinate : product.coordinates) coordinate.reserve(product.weights.capacity());
     for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
       std::vector<long double> before;
       for (std::size_t k = 0; k < i; ++k) before.push_back(nodes.coordinates[k][n]);

@@ -63,8 +63,8 @@ struct StudyError::Parts {
     }
     is_linear = linear_ones(graph, slopes, variables);
     // On either side of a kink that a parameter moves the form may be linear; across it, it is not.
-    for (std::size_t i = 0; i < is_linear.size(); ++i) {
-      for (const Symbolic& kink : moving_kinks(study))
+    for (const Symbolic& kink : moving_kinks(study)) {
+      for (std::size_t i = 0; i < is_linear.size(); ++i)
         is_linear[i] = is_linear[i] && !contains_any(kink, {study.parameters[i]});
     }
     for (const int slope : slopes) is_open.push_back(graph.is_zero(slope));
@@ -116,6 +116,7 @@ SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
   roots_.resize(static_cast<Eigen::Index>(size()));
   for (std::size_t i = 0; i < size(); ++i) roots_[static_cast<Eigen::Index>(i)] = std::sqrt(weights_[i]);
   constexpr std::size_t lanes = Batch<T>::lanes;
+  packed_weights_.reserve(gradient_.packs());
   for (std::size_t pack = 0; pack < gradient_.packs(); ++pack) {
     std::array<T, lanes> group{};
     for (std::size_t l = 0; l < lanes && pack * lanes + l < size(); ++l)

@@ -71,6 +71,7 @@ StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const C
 template <class T>
 std::vector<typename Batch<T>::S> Batch<T>::filled(const std::vector<T>& values) const {
   std::vector<S> result;
+  result.reserve(packs_);
   std::array<T, lanes> group;
   for (std::size_t i = 0; i < packs_ * lanes; i += lanes) {
     for (std::size_t l = 0; l < lanes; ++l) group[l] = values[std::min(i + l, values.size() - 1)];
