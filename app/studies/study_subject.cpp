@@ -14,7 +14,7 @@
 namespace shadefit {
 namespace {
 
-/// The first option on the command line that counts for a fit alone; empty if there is none.
+/// The first option on the command line that counts for a fit alone, or an empty text.
 std::string option_of_fits(const FitOptions& options) {
   constexpr std::array all{"--norm",      "--start",   "--fix",      "--exact-at",
                            "--one-sided", "--at-most", "--at-least", "--monotone"};

@@ -32,7 +32,7 @@ enum class Statement {
 
 /// A closed form that gives a published number by convention instead of a fit.
 struct Convention {
-  std::string_view name = {};     ///< empty: there is none
+  std::string_view name = {};     ///< empty if the number has no convention
   std::string_view formula = {};  ///< as text
   double (*value)() = nullptr;
 };

@@ -95,7 +95,7 @@ bool is_same_way(const TimedForm& a, const TimedForm& b);
 const TimedForm* in_memory(const Trade& trade, const TimedForm& timed);
 
 /// The form by which the time of another counts: the reference of its target, scalar, of its precision and
-/// place; null if there is none.
+/// place. Null if the target has no such reference.
 const TimedForm* reference_of(const Trade& trade, const TimedForm& timed);
 
 /// Computes `copies` and `pows` of each form from the times of the others.

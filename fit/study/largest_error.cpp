@@ -19,6 +19,7 @@ std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, 
   std::vector<double> places{edges.front().at};
   const double first_sine = std::sin(std::numbers::pi / 2 / count);
   constexpr int halvings = 40, step = 2;
+  places.reserve(edges.size() * static_cast<std::size_t>(count + halvings));
   for (std::size_t i = 1; i < edges.size(); ++i) {
     const double lower = edges[i - 1].at, upper = edges[i].at, length = upper - lower;
     const double first = length * first_sine * first_sine;

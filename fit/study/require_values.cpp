@@ -24,11 +24,10 @@ std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_
   return place;
 }
 
-/// The first node where a formula's value fails the check, as text. Empty if all values pass.
+/// The first node whose value fails the check, as text. Empty if all values pass.
 template <class Passes>
-std::string first_place(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
+std::string first_place(const ReadStudy& study, const std::vector<double>& values, const StudyNodes& nodes,
                         const Passes& passes) {
-  const std::vector<double> values = values_at_nodes(study, formula, nodes);
   const auto found = std::find_if_not(values.begin(), values.end(), passes);
   return found == values.end() ? ""
                                : place_of(study, nodes, static_cast<std::size_t>(found - values.begin()));
@@ -75,7 +74,7 @@ struct Approach {
   std::vector<double> direction;  ///< for the distance 1; 0 where an axis takes no part
 };
 
-/// |formula| at a distance from a place, in 50 digits: near a pole that is no double too.
+/// |formula| at a distance from a place. In 50 digits, because a double cannot hold the value near a pole.
 Decimal50 size_near(const ReadStudy& study, const Symbolic& formula, const Approach& approach,
                     const Decimal50& distance) {
   return abs(in_50_digits(formula, [&](const std::string& name) {
@@ -164,7 +163,7 @@ void require_finite(const ReadStudy& study, const Symbolic& formula, const std::
       place += (place.empty() ? "" : ", ") + study.axes[i].variable + " = " + to_text(approach.from[i]);
     }
     throw UserError(option + " is not finite at " + place +
-                    (norm == Norm::minimax ? ": there is no largest error"
+                    (norm == Norm::minimax ? ", so no constants have a largest error"
                                            : ", and the integral of its square does not converge there") +
                     "; leave that place out of --over");
   }
@@ -187,24 +186,27 @@ void require_dependence(const ReadStudy& study, const std::vector<bool>& is_open
   }
 }
 
-void require_values(const ReadStudy& study, const StudyNodes& nodes) {
+std::vector<double> require_values(const ReadStudy& study, const StudyNodes& nodes) {
   const auto is_finite = [](double value) { return std::isfinite(value); };
   // A row of weight 0 would still count as one in the standard errors.
   const auto is_weight = [&](double value) {
     return (study.rows ? value > 0 : value >= 0) && std::isfinite(value);
   };
-  if (const auto place = first_place(study, study.target, nodes, is_finite); !place.empty())
+  const std::vector<double> target = values_at_nodes(study, study.target, nodes);
+  if (const auto place = first_place(study, target, nodes, is_finite); !place.empty())
     throw UserError("--target has no finite value at " + place);
-  if (const auto place = first_place(study, study.weight, nodes, is_weight); !place.empty())
+  const std::vector<double> weights =
+      is_one(study.weight) ? std::vector<double>{} : values_at_nodes(study, study.weight, nodes);
+  if (const auto place = first_place(study, weights, nodes, is_weight); !place.empty())
     throw UserError(study.rows ? "--weight must be finite and greater than 0; it is not at " + place
                                : "--weight is negative, or has no finite value, at " + place);
-  if (study.error == Error::absolute) return;
-  const auto inverse = Symbolic::number("1") / study.target;
-  auto place = first_place(study, inverse, nodes, is_finite);
+  if (study.error == Error::absolute) return target;
+  auto place = first_place(study, target, nodes, [&](double value) { return is_finite(1 / value); });
   if (place.empty() && study.axes.size() == 1 && !study.rows) place = zero_of_target(study);
   if (!place.empty())
     throw UserError("--error 'relative' divides by the target, which is 0 at " + place +
                     (study.rows ? ": leave that row out" : ": leave that place out of --over"));
+  return target;
 }
 
 }  // namespace shadefit

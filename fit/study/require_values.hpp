@@ -7,10 +7,11 @@
 
 namespace shadefit {
 
-/// Throws UserError with the place where the target has no finite value, where the weight is not finite or
-/// negative (with rows also 0), or where a relative error divides by a zero of the target that the form does
-/// not share. With one variable such zeros are found in all of its range, with several only at nodes.
-void require_values(const ReadStudy& study, const StudyNodes& nodes);
+/// The values of the target at the nodes. Throws UserError with the place where the target has no finite
+/// value, where the weight is not finite or negative (with rows also 0), or where a relative error divides by
+/// a zero of the target that the form does not share. With one variable such zeros are found in all of its
+/// range, with several only at nodes.
+std::vector<double> require_values(const ReadStudy& study, const StudyNodes& nodes);
 
 /// Throws UserError with a place at the border of the range, or at a pole inside it, where a formula of the
 /// variables is not finite: for least squares if the integral of its square does not converge there, for

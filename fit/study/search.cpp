@@ -214,13 +214,12 @@ std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& st
   return result;
 }
 
-std::vector<double> units_of(const ReadStudy& study, const StudyNodes& nodes) {
+std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& target) {
   std::map<std::string, double> sizes;
   for (const StudyAxis& axis : study.axes)
     sizes[axis.variable] = std::log2(std::max(std::abs(axis.lower), std::abs(axis.upper)));
   double largest = 0;
-  for (const double value : values_at_nodes(study, study.target, nodes))
-    largest = std::max(largest, std::abs(value));
+  for (const double value : target) largest = std::max(largest, std::abs(value));
   std::vector<double> units;
   for (const double octaves :
        likely_sizes(study.form, study.parameters, sizes, largest > 0 ? std::log2(largest) : 0))
@@ -283,12 +282,12 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   // Between kinks that move, sums over few nodes have basins of their own.
   const std::size_t rule = has_finer_nodes ? fit_rules.size() - 1 : search_rule(study);
   const StudyNodes nodes = nodes_of(study, edges, fit_rules[rule]);
-  require_values(study, nodes);
+  const std::vector<double> target = require_values(study, nodes);
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0, study.rows != nullptr};
   SearchStarts wanted = starts_of(study, nonlinear);
-  if (!study.rows && nonlinear > 0) wanted.units = units_of(study, nodes);
+  if (!study.rows && nonlinear > 0) wanted.units = units_of(study, target);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
   if (study.has_only_starts && nonlinear > 0) wanted.count = 0;
   if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {

@@ -68,7 +68,7 @@ std::size_t search_rule(const ReadStudy& study);
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear);
 
 /// The units of all parameters for `SearchStarts`, from the ranges of the variables and from the size of the
-/// target at nodes (fit/scalars/likely_sizes.hpp). Empty if all are near 1.
-std::vector<double> units_of(const ReadStudy& study, const StudyNodes& nodes);
+/// values of the target (fit/scalars/likely_sizes.hpp). Empty if all are near 1.
+std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& target);
 
 }  // namespace shadefit

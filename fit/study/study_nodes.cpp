@@ -119,7 +119,7 @@ struct AxisNode {
 void append_panel(const StudyAxis& axis, double root, double other, int power, unsigned rule_size,
                   std::vector<AxisNode>& nodes) {
   const long double length = static_cast<long double>(other) - static_cast<long double>(root);
-  const bool is_uniform = axis.density.parts().empty() && axis.density.name() == "1";
+  const bool is_uniform = is_one(axis.density);
   visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
     const long double lower_power = power == 1 ? 1 : std::pow(u, static_cast<long double>(power - 1));
     const long double distance = length * lower_power * u;
@@ -346,6 +346,8 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   }
   return merged(axis, std::move(edges));
 }
+
+bool is_one(const Symbolic& formula) { return formula.parts().empty() && formula.name() == "1"; }
 
 std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula,
                                     const StudyNodes& nodes) {

@@ -39,6 +39,9 @@ struct StudyNodes {
   long double total = 1;                              ///< the integral of the density
 };
 
+/// Whether a formula is the number 1, as a weight or a density is that nobody gave.
+bool is_one(const Symbolic& formula);
+
 /// A formula of `node_variables` at each node.
 std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes);
 

@@ -29,8 +29,7 @@ std::vector<bool> linear_ones(Graph& graph, std::span<const int> slopes, std::si
 }
 
 Symbolic weighted(const ReadStudy& study, const Symbolic& error) {
-  const bool is_weighted = !(study.weight.parts().empty() && study.weight.name() == "1");
-  return is_weighted ? study.weight * error : error;
+  return is_one(study.weight) ? error : study.weight * error;
 }
 
 /// The error of a form that is 0, up to its sign.

@@ -230,8 +230,8 @@ double furthest_place(const CheapRatio& ratio) {
   return root_between([&](double x) { return ratio.slope(x); }, left, right, root_bits);
 }
 
-/// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`;
-/// empty if there is none.
+/// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`.
+/// Empty if it does not cross `allowed` on the way.
 std::optional<double> close_up_to(const CheapRatio& ratio, double from, double to, double allowed) {
   const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
   const double step = std::copysign(grid_step, to - from);
