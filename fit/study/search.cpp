@@ -248,14 +248,16 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   // A few steps from the better half of the starts, some more from the better half of their ends, then many
   // from the lowest: most starts lead to the same few basins.
   constexpr int few = 3, some = 5, many = 100;
-  const Descents scan(error, coarse, wanted.units, checkpoint);
   const Descents problem(error, sampled, wanted.units, checkpoint);
   std::vector<SearchedPlace> ends;
   if (problem.unknowns().empty()) {
     ends = problem.from({Vector(0)}, 0);
   } else {
-    ends = scan.all_at(starting_places(wanted, problem.unknowns()));
-    for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
+    if (wanted.count > 0) {
+      const Descents scan(error, coarse, wanted.units, checkpoint);
+      ends = scan.all_at(starting_places(wanted, problem.unknowns()));
+      for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
+    }
     std::vector<Vector> starts;
     for (const std::vector<double>& start : wanted.given) starts.push_back(problem.unknowns_of(start));
     append_distinct(ends, starts);

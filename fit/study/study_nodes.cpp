@@ -347,7 +347,9 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   return merged(axis, std::move(edges));
 }
 
-bool is_one(const Symbolic& formula) { return formula.parts().empty() && formula.name() == "1"; }
+bool is_one(const Symbolic& formula) {
+  return formula.parts().empty() && formula.name() == "1";
+}
 
 std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula,
                                     const StudyNodes& nodes) {

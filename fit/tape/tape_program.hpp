@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/tape/tape.hpp"
@@ -15,8 +16,8 @@ template <class T>
 class TapeProgram {
  public:
   /// `parameters` are inputs after the variables.
-  TapeProgram(const Tape& tape, std::span<const T> parameters)
-      : tape_(tape),
+  TapeProgram(Tape tape, std::span<const T> parameters)
+      : tape_(std::move(tape)),
         values_(tape_.register_count() + tape_.input_count() - parameters.size(), integer<T>(0)) {
     values_.insert(values_.end(), parameters.begin(), parameters.end());
     for (const T& constant : tape_.constants<T>()) values_.push_back(constant);
