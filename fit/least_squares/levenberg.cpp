@@ -12,32 +12,31 @@ namespace {
 constexpr int most_on_stack = 12;
 
 /// For few parameters the sizes are known to the compiler, and nothing is allocated. Residuals that are
-/// missing are 0.
+/// missing are 0, and so are the derivatives by parameters that are missing: then no step moves these.
 template <int N>
 class OnStack {
  public:
   using Scalar = double;
   enum { NUM_RESIDUALS = most_on_stack, NUM_PARAMETERS = N };
 
-  explicit OnStack(const Residuals& residuals) : residuals_(residuals) {}
+  OnStack(const Residuals& residuals, Eigen::Index parameters)
+      : residuals_(residuals), parameters_(parameters) {}
 
+  int NumParameters() const { return N; }
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
-    if (residuals_.count == most_on_stack) {
-      residuals_.evaluate(parameters, residuals, jacobian);
-      return true;
-    }
     std::fill_n(residuals, most_on_stack, 0.0);
     std::array<double, most_on_stack * N> columns;
     residuals_.evaluate(parameters, residuals, jacobian == nullptr ? nullptr : columns.data());
     if (jacobian == nullptr) return true;
     std::fill_n(jacobian, most_on_stack * N, 0.0);
-    for (int i = 0; i < N; ++i)
+    for (Eigen::Index i = 0; i < parameters_; ++i)
       std::copy_n(columns.data() + i * residuals_.count, residuals_.count, jacobian + i * most_on_stack);
     return true;
   }
 
  private:
   const Residuals& residuals_;
+  Eigen::Index parameters_;
 };
 
 class OfAnySize {
@@ -69,27 +68,22 @@ int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Ei
   solver.options.function_tolerance = patience.last_change;
   solver.options.gradient_tolerance = 0;
   solver.options.cost_threshold = 0;
-  typename Solver::Parameters p = parameters;
+  typename Solver::Parameters p = Solver::Parameters::Zero(function.NumParameters());
+  p.head(parameters.size()) = parameters;
   const int steps = solver.Solve(function, &p).iterations;
-  parameters = p;
+  parameters = p.head(parameters.size());
   return steps;
 }
 
 }  // namespace
 
 int descend(const Residuals& residuals, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
-  switch (residuals.count <= most_on_stack ? parameters.size() : 0) {
-    case 1:
-      return descend_by(OnStack<1>(residuals), patience, parameters);
-    case 2:
-      return descend_by(OnStack<2>(residuals), patience, parameters);
-    case 3:
-      return descend_by(OnStack<3>(residuals), patience, parameters);
-    case 4:
-      return descend_by(OnStack<4>(residuals), patience, parameters);
-    default:
-      return descend_by(OfAnySize(residuals, parameters.size()), patience, parameters);
-  }
+  // Each size of the solver takes seconds to compile, so there are two.
+  const Eigen::Index size = parameters.size();
+  if (residuals.count > most_on_stack || size > 4)
+    return descend_by(OfAnySize(residuals, size), patience, parameters);
+  if (size > 2) return descend_by(OnStack<4>(residuals, size), patience, parameters);
+  return descend_by(OnStack<2>(residuals, size), patience, parameters);
 }
 
 }  // namespace shadefit
