@@ -27,8 +27,10 @@ std::string_view error_of(const Study& study) {
   return study.error == Error::relative && !study.rows ? "max_rel_error" : "max_abs_error";
 }
 
-Effect effect_of(const SampledCurve& curve) {
+/// That of a form with this largest error: none if it is exact, up to rounding.
+Effect effect_of(const SampledCurve& curve, double largest) {
   Effect effect;
+  if (largest == 0) return effect;
   for (std::size_t i = 0; i < curve.form.size(); ++i) effect.show(curve.target[i], curve.form[i], {});
   return effect;
 }
@@ -61,10 +63,11 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
                            .max_error = largest,
                            .rms_error = rms,
                            .properties = properties,
-                           .effect = effect_of(curve),
+                           .effect = effect_of(curve, largest.magnitude),
                            .is_shown = is_shown(curve)};
   // The largest error may lie between the samples.
-  if (!read.rows) contender.effect.include(effect_of(sample_place(read, contender.values, largest.at)));
+  if (!read.rows)
+    contender.effect.include(effect_of(sample_place(read, contender.values, largest.at), largest.magnitude));
   prove_properties(study, size_of(curve), contender, checkpoint);
   return contender;
 }

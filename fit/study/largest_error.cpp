@@ -4,30 +4,38 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "fit/study/study_problem.hpp"
+#include "fit/tape/batch.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {
+
+/// Magnitudes of the error that differ by a smaller share are equal, up to rounding.
+constexpr double rounding_share = 1e-12;
 
 /// Places on one axis: between neighbouring edges the extrema of a Chebyshev polynomial, which are dense at
 /// both edges. With `has_ends` they go on towards each edge in powers of two: a root or a logarithm there may
 /// have a top closer to the edge than the first extremum.
 std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, bool has_ends) {
   std::vector<double> places{edges.front().at};
-  const double first_sine = std::sin(std::numbers::pi / 2 / count);
+  // The shares of the length, sin^2: they are symmetric.
+  std::vector<double> shares(static_cast<std::size_t>(count));
+  for (int k = 1; 2 * k <= count; ++k) {
+    const double sine = std::sin(std::numbers::pi / 2 * k / count);
+    shares[static_cast<std::size_t>(count - k)] = 1 - sine * sine;
+    shares[static_cast<std::size_t>(k)] = sine * sine;
+  }
   constexpr int halvings = 40, step = 2;
   places.reserve(edges.size() * static_cast<std::size_t>(count + halvings));
   for (std::size_t i = 1; i < edges.size(); ++i) {
     const double lower = edges[i - 1].at, upper = edges[i].at, length = upper - lower;
-    const double first = length * first_sine * first_sine;
+    const double first = length * shares[1];
     for (int k = halvings; has_ends && k > 0; k -= step) places.push_back(lower + std::ldexp(first, -k));
-    for (int k = 1; k < count; ++k) {
-      const double sine = std::sin(std::numbers::pi / 2 * k / count);
-      places.push_back(lower + length * (sine * sine));
-    }
+    for (int k = 1; k < count; ++k) places.push_back(lower + length * shares[static_cast<std::size_t>(k)]);
     for (int k = step; has_ends && k <= halvings; k += step) places.push_back(upper - std::ldexp(first, -k));
     places.push_back(upper);
   }
@@ -36,22 +44,44 @@ std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, 
   return places;
 }
 
-/// |form - target| at a place.
+Tape difference_of(const ReadStudy& study) {
+  return tape_of(study.form - study.target, formula_inputs(study));
+}
+
+/// |form - target|.
 class Magnitude {
  public:
   Magnitude(const ReadStudy& study, const std::vector<double>& parameters)
-      : difference_(tape_of(study.form - study.target, formula_inputs(study)), parameters) {}
+      : parameters_(parameters), difference_(difference_of(study), parameters) {}
 
   double operator()(const std::vector<double>& at) {
     difference_.run(at);
-    const double value = std::abs(difference_.output(0));
-    // The form or the target may have no value: x log(x) is NaN at 0. Such a place does not count.
-    return std::isnan(value) ? 0 : value;
+    return magnitude(difference_.output(0));
+  }
+
+  /// At many places, up to rounding: for each variable its value at each of them.
+  std::vector<double> over(std::span<const std::vector<double>> coordinates) const {
+    std::vector<double> values = values_at(difference_.tape(), coordinates, parameters_);
+    for (double& value : values) value = magnitude(value);
+    return values;
   }
 
  private:
+  /// The form or the target may have no value: x log(x) is NaN at 0. Such a place does not count.
+  static double magnitude(double difference) { return std::isnan(difference) ? 0 : std::abs(difference); }
+
+  const std::vector<double>& parameters_;
   TapeProgram<double> difference_;
 };
+
+/// Whether a difference found in double is mostly rounding: wider arithmetic has another one.
+bool is_rounding(const ReadStudy& study, const std::vector<double>& parameters, const StudyExtremum& found) {
+  const std::vector<long double> wide(parameters.begin(), parameters.end()),
+      at(found.at.begin(), found.at.end());
+  TapeProgram<long double> difference(difference_of(study), wide);
+  difference.run(at);
+  return std::abs(std::abs(difference.output(0)) - found.magnitude) > found.magnitude / 2;
+}
 
 /// Moves a place to the top of its hill, one variable after the other, by golden-section search between its
 /// neighbours on the grid.
@@ -85,9 +115,8 @@ StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
         }
       }
       const double top = low + (high - low) / 2;
-      // A smaller gain is rounding: then the place of the grid, perhaps an end, is the better answer.
-      constexpr double gain = 1e-12;
-      if (const double found = value(top); found > best.magnitude * (1 + gain)) {
+      // Without a gain the place of the grid, perhaps an end, is the better answer.
+      if (const double found = value(top); found > best.magnitude * (1 + rounding_share)) {
         best.magnitude = found;
         best.at[axis] = top;
       }
@@ -100,21 +129,32 @@ StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
 /// |form - target| on the product of the places of each axis, the first one running fastest.
 class Grid {
  public:
-  Grid(Magnitude& magnitude, std::vector<std::vector<double>> places) : places_(std::move(places)) {
-    std::size_t size = 1;
+  Grid(const Magnitude& magnitude, std::vector<std::vector<double>> places) : places_(std::move(places)) {
+    std::size_t size = 1, stride = 1;
     for (const auto& axis : places_) size *= axis.size();
-    values_.reserve(size);
-    std::vector<double> at;
-    for (std::size_t i = 0; i < size; ++i) {
-      set_place(i, at);
-      values_.push_back(magnitude(at));
-      if (values_[i] > values_[largest_]) largest_ = i;
+    std::vector<std::vector<double>> coordinates;
+    for (const auto& axis : places_) {
+      std::vector<double>& of_variable = coordinates.emplace_back();
+      of_variable.reserve(size);
+      while (of_variable.size() < size) {
+        for (const double x : axis) of_variable.insert(of_variable.end(), stride, x);
+      }
+      stride *= axis.size();
+    }
+    values_ = magnitude.over(coordinates);
+    largest_ = static_cast<std::size_t>(std::max_element(values_.begin(), values_.end()) - values_.begin());
+    // Of places that differ by rounding an end is the better answer.
+    for (const std::size_t end : {size - 1, std::size_t{0}}) {
+      if (values_[end] >= values_[largest_] * (1 - rounding_share)) largest_ = end;
     }
   }
 
   std::vector<double> place(std::size_t index) const {
     std::vector<double> at;
-    set_place(index, at);
+    for (const auto& axis : places_) {
+      at.push_back(axis[index % axis.size()]);
+      index /= axis.size();
+    }
     return at;
   }
 
@@ -128,8 +168,6 @@ class Grid {
     return result;
   }
 
-  double value(std::size_t index) const { return values_[index]; }
-
   /// The neighbours on each axis; at an end of the axis the end is one of them.
   std::vector<std::array<double, 2>> around(std::size_t index) const {
     std::vector<std::array<double, 2>> result;
@@ -142,14 +180,6 @@ class Grid {
   }
 
  private:
-  void set_place(std::size_t index, std::vector<double>& at) const {
-    at.clear();
-    for (const auto& axis : places_) {
-      at.push_back(axis[index % axis.size()]);
-      index /= axis.size();
-    }
-  }
-
   bool is_top(std::size_t index) const {
     std::size_t stride = 1;
     for (const auto& axis : places_) {
@@ -180,8 +210,10 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
   Magnitude magnitude(study, parameters);
   const Grid grid(magnitude, std::move(places));
   std::vector<StudyExtremum> tops;
-  for (const std::size_t top : grid.tops(std::min(share, shares[axes - 1])))
-    tops.push_back(refined(magnitude, {grid.value(top), grid.place(top)}, grid.around(top)));
+  for (const std::size_t top : grid.tops(std::min(share, shares[axes - 1]))) {
+    const std::vector<double> place = grid.place(top);
+    tops.push_back(refined(magnitude, {magnitude(place), place}, grid.around(top)));
+  }
   return tops;
 }
 
@@ -193,7 +225,10 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
   for (const StudyExtremum& top : tops_of_error(study, edges, parameters, 1)) {
     if (best.at.empty() || top.magnitude > best.magnitude * (1 + equal)) best = top;
   }
-  return best;
+  if (!is_rounding(study, parameters, best)) return best;
+  StudyExtremum none;
+  for (const auto& of_axis : edges) none.at.push_back(of_axis.front().at);
+  return none;
 }
 
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters) {

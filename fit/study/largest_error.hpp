@@ -8,7 +8,8 @@
 namespace shadefit {
 
 /// The largest |form - target| of a study at given parameters: the best place of a grid between the edges,
-/// refined between its neighbours. Sampled, not proven.
+/// refined between its neighbours. Sampled, not proven. 0 at the first place if it is mostly the rounding of
+/// double, as that of an exact form is.
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters);
 

@@ -61,6 +61,39 @@ std::size_t packs_of(std::size_t nodes) {
   return (nodes + size - 1) / size * group;
 }
 
+/// Appends numbers in so many packs. The last one is repeated until the packs are full.
+template <class T>
+void append_packed(const std::vector<T>& numbers, std::size_t packs, std::vector<typename Batch<T>::S>& to) {
+  using Lanes = typename Batch<T>::Lanes;
+  std::array<T, Lanes::size> group;
+  for (std::size_t i = 0; i < packs * Lanes::size; i += Lanes::size) {
+    for (std::size_t l = 0; l < Lanes::size; ++l) group[l] = numbers[std::min(i + l, numbers.size() - 1)];
+    to.push_back(Lanes::joined(group));
+  }
+}
+
+/// The table of a tape after its program ran at places, a row of `packs` packs for each register, each
+/// variable, each parameter, and each constant.
+template <class T>
+std::vector<typename Batch<T>::S> run_at(const Tape& tape, std::span<const std::vector<T>> coordinates,
+                                         std::span<const T> parameters, std::size_t packs) {
+  using S = typename Batch<T>::S;
+  const std::vector<S> constants = tape.constants<S>();
+  const std::size_t rows = tape.register_count() + tape.input_count() + constants.size();
+  std::vector<S> values;
+  values.reserve(rows * packs);
+  values.resize(tape.register_count() * packs);
+  for (const auto& of_variable : coordinates) append_packed(of_variable, packs, values);
+  for (const T& parameter : parameters) values.insert(values.end(), packs, S(parameter));
+  for (const S& constant : constants) values.insert(values.end(), packs, constant);
+  std::vector<const S*> table;
+  std::vector<S*> registers;
+  for (std::size_t i = 0; i < rows; ++i) table.push_back(&values[i * packs]);
+  for (std::size_t i = 0; i < tape.register_count(); ++i) registers.push_back(&values[i * packs]);
+  tape.run_over<S>(table, registers, packs);
+  return values;
+}
+
 }  // namespace
 
 StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const Cuts& cuts)
@@ -69,33 +102,15 @@ StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const C
       of_both_(graph, outputs, joined(cuts.from_variables, cuts.from_parameters)) {}
 
 template <class T>
-std::vector<typename Batch<T>::S> Batch<T>::filled(const std::vector<T>& values) const {
-  std::vector<S> result;
-  result.reserve(packs_);
-  std::array<T, lanes> group;
-  for (std::size_t i = 0; i < packs_ * lanes; i += lanes) {
-    for (std::size_t l = 0; l < lanes; ++l) group[l] = values[std::min(i + l, values.size() - 1)];
-    result.push_back(Lanes::joined(group));
-  }
-  return result;
-}
-
-template <class T>
 Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates)
     : tape_(&tape),
       nodes_(coordinates.front().size()),
       packs_(packs_of<T>(nodes_)),
       of_parameters_(tape.of_parameters(), {}) {
   const Tape& first = tape.of_variables();
-  std::vector<std::vector<S>> values(first.register_count(), std::vector<S>(packs_));
-  for (const auto& of_variable : coordinates) values.push_back(filled(of_variable));
-  for (const S& constant : first.constants<S>()) values.push_back(std::vector<S>(packs_, constant));
-  std::vector<const S*> table;
-  std::vector<S*> registers;
-  for (auto& row : values) table.push_back(row.data());
-  for (std::size_t i = 0; i < first.register_count(); ++i) registers.push_back(values[i].data());
-  first.run_over<S>(table, registers, packs_);
-  for (std::size_t i = 0; i < first.output_count(); ++i) prepared_.push_back(values[first.output(i)]);
+  const std::vector<S> table = run_at<T>(first, coordinates, {}, packs_);
+  for (std::size_t i = 0; i < first.output_count(); ++i)
+    prepared_.emplace_back(&table[first.output(i) * packs_], &table[first.output(i) * packs_] + packs_);
 
   const Tape& rest = tape.of_both();
   for (const S& constant : rest.constants<S>()) constants_.insert(constants_.end(), block, constant);
@@ -116,6 +131,18 @@ void Batch<T>::operator()(std::span<const T> parameters, std::vector<S>& results
     for (std::size_t i = 0; i < outputs.size(); ++i)
       std::copy_n(outputs[i], count, results.data() + i * packs_ + first);
   });
+}
+
+std::vector<double> values_at(const Tape& tape, std::span<const std::vector<double>> coordinates,
+                              std::span<const double> parameters) {
+  using Lanes = Batch<double>::Lanes;
+  std::vector<double> result(coordinates.front().size());
+  const std::size_t packs = packs_of<double>(result.size());
+  const std::vector<TwoLanes> table = run_at<double>(tape, coordinates, parameters, packs);
+  const TwoLanes* row = &table[tape.output(0) * packs];
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = Lanes::lane(row[i / Lanes::size], i % Lanes::size);
+  return result;
 }
 
 template class Batch<double>;

@@ -68,8 +68,6 @@ class Batch {
   void visit(std::span<const T> parameters, const Visit& visit) const;
 
  private:
-  std::vector<S> filled(const std::vector<T>& values) const;
-
   const StagedTape* tape_;
   std::size_t nodes_, packs_;
   std::vector<std::vector<S>> prepared_;  ///< by output of `of_variables`
@@ -99,6 +97,11 @@ void Batch<T>::visit(std::span<const T> parameters, const Visit& visit) const {
     visit(from, count, std::span<const S* const>(outputs_));
   }
 }
+
+/// The first output of a tape at places: `coordinates` has for each variable its value at each of them;
+/// `parameters` are inputs after the variables.
+std::vector<double> values_at(const Tape& tape, std::span<const std::vector<double>> coordinates,
+                              std::span<const double> parameters);
 
 extern template class Batch<double>;
 extern template class Batch<long double>;

@@ -181,12 +181,13 @@ int Graph::function(std::string_view name, int a) {
 }
 
 int Graph::derivative(int of, std::size_t input) {
-  const std::pair key(of, input);
-  if (const auto found = derivatives_.find(key); found != derivatives_.end()) return found->second;
-  const GraphNode at = nodes_[static_cast<std::size_t>(of)];
+  const auto index = static_cast<std::size_t>(of);
+  std::vector<int>& known = derivatives_[input];
+  if (index < known.size() && known[index] != unknown) return known[index];
+  const GraphNode at = nodes_[index];
   const int result = derived(at, of, input);
-  derivatives_.emplace(key, result);
-  return result;
+  known.resize(std::max(known.size(), nodes_.size()), unknown);
+  return known[index] = result;
 }
 
 int Graph::derived(const GraphNode& at, int self, std::size_t input) {

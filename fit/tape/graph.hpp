@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "fit/scalars/integral.hpp"
@@ -52,7 +51,7 @@ class Graph {
  public:
   /// Integrals are computed by this rule.
   explicit Graph(std::span<const std::string> inputs, IntegralRule rule = IntegralRule::usual)
-      : inputs_(inputs.begin(), inputs.end()), rule_(rule) {}
+      : inputs_(inputs.begin(), inputs.end()), rule_(rule), derivatives_(inputs.size()) {}
 
   /// The node of an expression. Its variables are inputs of the graph. An expression of numbers alone becomes
   /// one constant. Throws std::logic_error for a variable that is no input.
@@ -95,7 +94,8 @@ class Graph {
   std::map<GraphNode, int> known_;
   std::vector<Symbolic> constants_;
   std::map<std::string, int> constant_of_;  ///< by text
-  std::map<std::pair<int, std::size_t>, int> derivatives_;
+  static constexpr int unknown = -1;
+  std::vector<std::vector<int>> derivatives_;  ///< by input and node
   int zero_ = -1;
 };
 

@@ -31,6 +31,7 @@ class TapeProgram {
 
   /// Computes the outputs for the variables.
   void run(std::span<const T> variables);
+  const Tape& tape() const { return tape_; }
   const T& output(std::size_t i) const { return values_[tape_.output(i)]; }
 
  private:
