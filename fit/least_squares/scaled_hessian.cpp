@@ -1,6 +1,5 @@
 #include "fit/least_squares/scaled_hessian.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 namespace shadefit {
@@ -11,10 +10,6 @@ ScaledHessian::ScaledHessian(const ParameterMatrix<double>& hessian)
 
 ParameterMatrix<double> ScaledHessian::inverse() const {
   return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
-}
-
-bool ScaledHessian::is_positive() const {
-  return Eigen::LDLT<ParameterMatrix<double>>(scaled).isPositive();
 }
 
 }  // namespace shadefit

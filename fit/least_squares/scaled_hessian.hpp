@@ -16,7 +16,6 @@ struct ScaledHessian {
   explicit ScaledHessian(const ParameterMatrix<double>& hessian);
 
   ParameterMatrix<double> inverse() const;  ///< of the Hessian itself
-  bool is_positive() const;                 ///< whether no eigenvalue is negative
 
   ParameterVector<double> units;  ///< of the parameters
   ParameterMatrix<double> scaled;

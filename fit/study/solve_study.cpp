@@ -8,6 +8,7 @@
 
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/linear_optimum.hpp"
+#include "fit/least_squares/newton.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/integral.hpp"
@@ -39,7 +40,7 @@ std::optional<ParameterMatrix<double>> polish(const SampledStudy<double>& sample
     std::vector<double> next = parameters;
     for (std::size_t j = 0; j < next.size(); ++j) next[j] += step[static_cast<Eigen::Index>(j)];
     if (size < 1e-15 || (size < 1e-10 && size >= last / 2)) {
-      return hessian.is_positive() ? std::optional(sums.hessian) : std::nullopt;
+      return is_minimum(hessian.scaled) ? std::optional(sums.hessian) : std::nullopt;
     }
     // Far from the optimum a step may lead up, or over a pole: then it is halved.
     double scale = 1;
@@ -161,15 +162,15 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate, std::size_t
     if ((sums.hessian.diagonal().array() == 0).any()) break;
     const double norm = sampled.target_norm();
     MatrixOf<double> hessian = hessian_with_kinks(rules, rule, at, sums.hessian, norm);
-    const bool is_minimum = hessian.allFinite() && ScaledHessian(hessian).is_positive();
-    if (!is_minimum) hessian = sums.hessian;
+    const bool is_at_minimum = hessian.allFinite() && is_minimum(ScaledHessian(hessian).scaled);
+    if (!is_at_minimum) hessian = sums.hessian;
     const MatrixOf<double> inverse = ScaledHessian(hessian).inverse();
     step = -(inverse * gradient_at(rules, rule, at).cast<double>());
     if (!step.allFinite()) break;
     // The next rule has another error where nothing is smooth, so its step counts the digits.
     const VectorOf<double> check = -(inverse * gradient_at(rules, rule + 1, at).cast<double>());
     const long double size = relative_size(check, at, hessian, norm);
-    const bool is_better = is_minimum && size < best;
+    const bool is_better = is_at_minimum && size < best;
     if (is_better) {
       best = size;
       fit.parameters = at;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/newton.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/contacts.hpp"
 #include "fit/minimax/quadratic_programme.hpp"
@@ -108,7 +109,7 @@ class ConstrainedFit {
 
   /// The Hessian of the square where it is positive; elsewhere that of the linearised error.
   Matrix convex_hessian(const std::vector<double>& at, const Matrix& hessian) const {
-    if (ScaledHessian(hessian).is_positive()) return hessian;
+    if (is_minimum(hessian)) return hessian;
     Vector errors;
     Matrix slopes;
     sampled_.errors(at, errors, &slopes);
