@@ -11,24 +11,24 @@ namespace {
 /// As many residuals as fit into matrices on the stack.
 constexpr int most_on_stack = 12;
 
-/// For few parameters the sizes are known to the compiler, and nothing is allocated. Residuals that are
-/// missing are 0, and so are the derivatives by parameters that are missing: then no step moves these.
-template <int N>
+/// For one or two parameters the sizes are known to the compiler, and nothing is allocated. Residuals that
+/// are missing are 0, and so are the derivatives by a parameter that is missing: then no step moves it. There
+/// is one such size, because each takes seconds to compile.
 class OnStack {
  public:
   using Scalar = double;
-  enum { NUM_RESIDUALS = most_on_stack, NUM_PARAMETERS = N };
+  enum { NUM_RESIDUALS = most_on_stack, NUM_PARAMETERS = 2 };
 
   OnStack(const Residuals& residuals, Eigen::Index parameters)
       : residuals_(residuals), parameters_(parameters) {}
 
-  int NumParameters() const { return N; }
+  int NumParameters() const { return NUM_PARAMETERS; }
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
     std::fill_n(residuals, most_on_stack, 0.0);
-    std::array<double, most_on_stack * N> columns;
+    std::array<double, most_on_stack * NUM_PARAMETERS> columns;
     residuals_.evaluate(parameters, residuals, jacobian == nullptr ? nullptr : columns.data());
     if (jacobian == nullptr) return true;
-    std::fill_n(jacobian, most_on_stack * N, 0.0);
+    std::fill_n(jacobian, most_on_stack * NUM_PARAMETERS, 0.0);
     for (Eigen::Index i = 0; i < parameters_; ++i)
       std::copy_n(columns.data() + i * residuals_.count, residuals_.count, jacobian + i * most_on_stack);
     return true;
@@ -78,12 +78,10 @@ int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Ei
 }  // namespace
 
 int descend(const Residuals& residuals, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
-  // Each size of the solver takes seconds to compile, so there are two.
   const Eigen::Index size = parameters.size();
-  if (residuals.count > most_on_stack || size > 4)
-    return descend_by(OfAnySize(residuals, size), patience, parameters);
-  if (size > 2) return descend_by(OnStack<4>(residuals, size), patience, parameters);
-  return descend_by(OnStack<2>(residuals, size), patience, parameters);
+  if (residuals.count <= most_on_stack && size <= OnStack::NUM_PARAMETERS)
+    return descend_by(OnStack(residuals, size), patience, parameters);
+  return descend_by(OfAnySize(residuals, size), patience, parameters);
 }
 
 }  // namespace shadefit
