@@ -74,15 +74,6 @@ class Magnitude {
   TapeProgram<double> difference_;
 };
 
-/// Whether a difference found in double is mostly rounding: wider arithmetic has another one.
-bool is_rounding(const ReadStudy& study, const std::vector<double>& parameters, const StudyExtremum& found) {
-  const std::vector<long double> wide(parameters.begin(), parameters.end()),
-      at(found.at.begin(), found.at.end());
-  TapeProgram<long double> difference(difference_of(study), wide);
-  difference.run(at);
-  return std::abs(std::abs(difference.output(0)) - found.magnitude) > found.magnitude / 2;
-}
-
 /// Moves a place to the top of its hill, one variable after the other, by golden-section search between its
 /// neighbours on the grid.
 StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
@@ -217,6 +208,27 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
   return tops;
 }
 
+namespace {
+
+/// Whether an error is mostly rounding: it is far below the target, and wider arithmetic has another one. At
+/// a jump wider arithmetic may be on its other side.
+bool is_rounding(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
+                 const std::vector<double>& parameters, const StudyExtremum& error) {
+  const std::vector<long double> wide(parameters.begin(), parameters.end()),
+      at(error.at.begin(), error.at.end());
+  TapeProgram<long double> difference(difference_of(study), wide);
+  difference.run(at);
+  if (!(std::abs(std::abs(difference.output(0)) - error.magnitude) > error.magnitude / 2)) return false;
+  ReadStudy target = study;
+  target.form = Symbolic::number("0");
+  double largest = 0;
+  for (const StudyExtremum& top : tops_of_error(target, edges, parameters, 1))
+    largest = std::max(largest, top.magnitude);
+  return error.magnitude < rounding_share * largest;
+}
+
+}  // namespace
+
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters) {
   // Of equal tops, as in a minimax fit, the first one counts: which one is largest is rounding.
@@ -225,7 +237,7 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
   for (const StudyExtremum& top : tops_of_error(study, edges, parameters, 1)) {
     if (best.at.empty() || top.magnitude > best.magnitude * (1 + equal)) best = top;
   }
-  if (!is_rounding(study, parameters, best)) return best;
+  if (!is_rounding(study, edges, parameters, best)) return best;
   StudyExtremum none;
   for (const auto& of_axis : edges) none.at.push_back(of_axis.front().at);
   return none;

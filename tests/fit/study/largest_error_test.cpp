@@ -33,6 +33,16 @@ TEST(LargestErrorOfStudy, ADigitOfAFormIsNoRounding) {
   EXPECT_NEAR(found.at.front(), 0, 0.01);
 }
 
+// The error jumps to 1/4 at a place that has no double, and falls from there. In wider arithmetic the place
+// next to the jump may be on its other side, without an error.
+TEST(LargestErrorOfStudy, AJumpIsNoRounding) {
+  for (const std::string at : {"0.1/3", "0.2/3", "0.4/3", "0.5/3", "0.7/3", "1.1/3", "1.3/3", "1.7/3"}) {
+    const StudyExtremum found =
+        largest("x", "x + a (x < " + at + " ? 0 : exp(-200 (x - " + at + ")))", {0.25});
+    EXPECT_NEAR(found.magnitude, 0.25, 1e-10) << at;
+  }
+}
+
 // At x = 0 the error of sqrt(1 - x) (a + b x) is pi/2 - a, at 5.6e-17 it has the same digits.
 TEST(LargestErrorOfStudy, AnEndIsSaidToBeTheEnd) {
   const StudyExtremum found =
