@@ -59,8 +59,8 @@ RowStage stage_after(const RowStage& stage, const PolishedLevel& level, const Ro
   const Matrix moved = slopes * steps_beside(next.held, slopes);
   constexpr double unmoved = 1e-9;
   for (std::size_t i = 0; i < next.ceilings.size(); ++i) {
-    if (next.counts(i) && !(moved.row(static_cast<Eigen::Index>(i)).norm() > unmoved))
-      next.ceilings[i] = level.level;
+    const bool is_moved = moved.cols() > 0 && moved.row(static_cast<Eigen::Index>(i)).norm() > unmoved;
+    if (next.counts(i) && !is_moved) next.ceilings[i] = level.level;
   }
   return next;
 }

@@ -40,7 +40,13 @@ double albedo_of(double c, const Brdf& brdf) {
     return 2 * (inner.integrate(of_phi, 0.0, circle_half / 2) +
                 inner.integrate(of_phi, circle_half / 2, circle_half));
   };
-  return rule.integrate(over_azimuth, 0.0, c) + (c < 1 ? rule.integrate(over_azimuth, c, 1.0) : 0);
+  // By places in [0, 1]: in a range that is too narrow for its places an assertion of Boost fails.
+  const auto over = [&](double from, double to) {
+    const double length = to - from;
+    const auto at = [&](double t) { return over_azimuth(std::min(from + length * t, to)); };
+    return length * rule.integrate(at, 0.0, 1.0);
+  };
+  return over(0, c) + (c < 1 ? over(c, 1) : 0);
 }
 
 double sines(double c, double l) {
