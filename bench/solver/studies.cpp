@@ -11,7 +11,7 @@
 #include "fit/quadrature/gauss.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study/solve_study.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/tape/tape_program.hpp"
 #include "fit/truths/albedos.hpp"
 #include "fit/truths/truths.hpp"

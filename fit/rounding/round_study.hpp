@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/rounding/lattice.hpp"
-#include "fit/study/solve_study.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/study_verdict.hpp"
 

@@ -16,6 +16,9 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
+#include "fit/study_squares/confirm_integrals.hpp"
+#include "fit/study_squares/rules.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/study/solve_study.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/study/solve_study.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_exchange/surface_programme.hpp"

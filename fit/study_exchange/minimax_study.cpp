@@ -14,6 +14,8 @@
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"
 #include "fit/study_rows/minimax_rows.hpp"
+#include "fit/study_squares/confirm_integrals.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fit/study/solve_study.hpp"
+#include "fit/study/study_fit.hpp"
 
 namespace shadefit {
 

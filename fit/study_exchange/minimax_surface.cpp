@@ -16,6 +16,8 @@
 #include "fit/study_exchange/least_at_level.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
 #include "fit/study_exchange/top_polish.hpp"
+#include "fit/study_squares/confirm_integrals.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {
@@ -167,7 +169,8 @@ class SurfaceExchange {
     const double largest = look(fit.parameters);
     if (largest <= *fit.level * (1 + held) + support_.rounding) return fit;
     fit.status = Status::not_converged;
-    fit.why = "the error exceeds its level, " + to_text(*fit.level) + ", by " + to_text(largest - *fit.level);
+    fit.why =
+        "the error exceeds its level, " + decimal(*fit.level, 6) + ", by " + decimal(largest - *fit.level, 2);
     return fit;
   }
 

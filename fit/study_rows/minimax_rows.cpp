@@ -11,6 +11,8 @@
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_rows/row_descent.hpp"
+#include "fit/study_squares/confirm_integrals.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {

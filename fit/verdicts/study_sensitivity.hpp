@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/solve_study.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/sensitivity.hpp"
 #include "fit/verdicts/study_verdict.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/solve_study.hpp"
 #include "fit/study/study_file.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/verdicts/study_verdict.hpp"
 #include "reports/table/table.hpp"
 

@@ -15,7 +15,7 @@
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study/solve_study.hpp"
+#include "fit/study_squares/solve_study.hpp"
 
 namespace peer_tasks {
 namespace {

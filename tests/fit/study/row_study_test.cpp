@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fit/study/search.hpp"
-#include "fit/study/solve_study.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 
 // Studies whose target is measured rows.

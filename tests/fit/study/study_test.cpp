@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fit/fit.hpp"
-#include "fit/study/solve_study.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

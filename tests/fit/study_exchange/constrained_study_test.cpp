@@ -10,6 +10,7 @@
 #include "fit/scalars/jet.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

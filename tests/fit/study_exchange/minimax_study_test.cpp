@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 
 /// Minimax fits of studies of one variable where the exchange is easily led astray.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/solve_study.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 
 /// Forms whose parameters move a kink.

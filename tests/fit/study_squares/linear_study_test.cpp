@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/solve_study.hpp"
 #include "fit/study/study.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 
 /// Forms that are linear in many parameters, whose columns are nearly dependent.

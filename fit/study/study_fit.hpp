@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,14 +8,9 @@
 #include "fit/least_squares/status.hpp"
 #include "fit/minimax/alternation.hpp"
 #include "fit/study/row_statistics.hpp"
-#include "fit/study/study.hpp"
-#include "fit/study/study_nodes.hpp"
-#include "fit/support/checkpoint.hpp"
 
-/// The least-squares fit of a study.
+/// What comes out of a fit of a study.
 namespace shadefit {
-
-class StudyError;
 
 /// The largest magnitude of an error, and its place: one number for each variable.
 struct StudyExtremum {
@@ -52,28 +48,5 @@ struct StudyFit {
       {};  ///< of a minimax fit in several variables: where it is at its level
   std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
 };
-
-/// Fits a study. Parameters that enter linearly are eliminated (variable projection: Golub, Pereyra 1973,
-/// "The Differentiation of Pseudo-Inverses and Nonlinear Least Squares Problems Whose Variables Separate",
-/// SIAM Journal on Numerical Analysis 10; the Jacobian is Kaufman's, 1975, "A variable projection method for
-/// solving separable nonlinear least squares problems", BIT 15). The others start from a low-discrepancy set.
-/// Ceres descends, Newton with the exact Hessian finishes, and another rule in long double counts the digits.
-/// Of measured rows the mean square is a sum over the rows, and long double counts the digits on the same
-/// rows. Throws UserError where a formula has no value in the range.
-StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts,
-                     const Checkpoint& checkpoint = keep_going);
-
-/// If a formula of the study has integrals, limits the digits to those in which two rules for them agree, as
-/// a share of the target. With too few the fit is not converged.
-void confirm_integrals(const ReadStudy& study, StudyFit& fit);
-
-/// The edges of the single variable of a study, with cuts between them: small rules agree on each panel on
-/// the squares of the error and of its derivatives at these parameters.
-std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& error,
-                                      const std::vector<double>& parameters);
-
-/// sqrt(integral of density * error^2 / integral of density) at these parameters, by rules of rising size
-/// until two agree to 1e-12. `error` is that of the study.
-double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters);
 
 }  // namespace shadefit

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "fit/study/search.hpp"
+#include "fit/study/study_fit.hpp"
+#include "fit/study/study_problem.hpp"
+#include "fit/study_squares/rules.hpp"
+
+/// From the basin of a search to the optimum, with the digits that are right.
+namespace shadefit {
+
+/// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
+/// `searched` is the study under the first rule, if its panels are still the same.
+StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const SampledStudy<double>* searched);
+
+}  // namespace shadefit
