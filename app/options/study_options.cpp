@@ -4,26 +4,21 @@
 
 #include <algorithm>
 
+#include "fit/support/lines.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-}
-
 /// The text before and after the first '='.
 std::pair<std::string, std::string> halves(const std::string& option, const std::string& text,
                                            const char* rule) {
   const auto sign = text.find('=');
-  if (sign == std::string::npos || trimmed(text.substr(0, sign)).empty() ||
-      trimmed(text.substr(sign + 1)).empty())
-    throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
-  return {trimmed(text.substr(0, sign)), trimmed(text.substr(sign + 1))};
+  const std::string name(trimmed(text.substr(0, sign)));
+  const std::string value(sign == std::string::npos ? "" : trimmed(text.substr(sign + 1)));
+  if (name.empty() || value.empty()) throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
+  return {name, value};
 }
 
 /// The parts of a text between separators that stand outside parentheses, at most `most`: the last keeps the
@@ -39,14 +34,14 @@ std::vector<std::string> parts_of(const std::string& text, char separator, std::
       parts.back() += c;
     }
   }
-  for (std::string& part : parts) part = trimmed(part);
+  for (std::string& part : parts) part = std::string(trimmed(part));
   return parts;
 }
 
 }  // namespace
 
 StudyRange parse_over(const std::string& option, const std::string& text) {
-  if (text.find('=') == std::string::npos) return {trimmed(text), "", ""};
+  if (text.find('=') == std::string::npos) return {std::string(trimmed(text)), "", ""};
   constexpr const char* rule = "NAME=A:B or NAME=A:B:DENSITY";
   const auto [name, range] = halves(option, text, rule);
   const auto parts = parts_of(range, ':', 3);
@@ -81,7 +76,7 @@ StudyDefinition parse_let(const std::string& option, const std::string& text) {
   if (open == std::string::npos) return {head, {}, formula};
   if (head.back() != ')') throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
   const std::string list = head.substr(open + 1, head.size() - open - 2);
-  return {trimmed(head.substr(0, open)), parts_of(list, ',', list.size() + 1), formula};
+  return {std::string(trimmed(head.substr(0, open))), parts_of(list, ',', list.size() + 1), formula};
 }
 
 std::vector<std::string> parse_names(const std::string& option, const std::string& text) {

@@ -60,8 +60,7 @@ Workload::Workload(const scene::Scene& scene, int lights)
     }
   }
   // One block after the other, so that its cosines stay in the first cache.
-  std::stable_sort(visits_.begin(), visits_.end(),
-                   [](const Visit& a, const Visit& b) { return a.block < b.block; });
+  std::ranges::stable_sort(visits_, {}, &Visit::block);
 }
 
 }  // namespace shadefit::shade

@@ -8,6 +8,7 @@
 #include <deque>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "bench/studies/compiled_code.hpp"
 #include "bench/timing/workload.hpp"
@@ -204,9 +205,8 @@ Table study_times(const Trade& trade, const std::string& target) {
   std::vector<TimedForm> rows;
   std::copy_if(trade.forms.begin(), trade.forms.end(), std::back_inserter(rows),
                [&](const TimedForm& timed) { return timed.target == target; });
-  std::stable_sort(rows.begin(), rows.end(), [](const TimedForm& a, const TimedForm& b) {
-    return a.ns.median != b.ns.median ? a.ns.median < b.ns.median : a.max_abs_error < b.max_abs_error;
-  });
+  std::ranges::stable_sort(rows, {},
+                           [](const TimedForm& row) { return std::pair(row.ns.median, row.max_abs_error); });
   for (const TimedForm& timed : rows) {
     table.rows.push_back({timed.label, timed.max_abs_error ? Cell{Number{*timed.max_abs_error, 4}} : Cell{},
                           measured(timed.ns.median), measured(timed.ns.width()), measured(timed.copies),

@@ -190,8 +190,7 @@ Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& e
     }
   }
   for (const forms::Target& target : catalogue.targets) {
-    const bool is_timed = std::any_of(trade.forms.begin(), trade.forms.end(),
-                                      [&](const TimedForm& row) { return row.target == target.id; });
+    const bool is_timed = std::ranges::find(trade.forms, target.id, &TimedForm::target) != trade.forms.end();
     if (is_timed) {
       trade.targets.push_back(
           {std::string(target.id), std::string(target.id) + ": " + std::string(target.text)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "bench/forms/forms.hpp"
 
@@ -103,10 +104,8 @@ std::vector<std::size_t> front_of(const std::vector<Offer>& offers) {
   std::erase_if(order, [&](std::size_t i) {
     return !(offers[i].time == offers[i].time && offers[i].error == offers[i].error);
   });
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return offers[i].time != offers[j].time ? offers[i].time < offers[j].time
-                                            : offers[i].error < offers[j].error;
-  });
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return std::pair(offers[i].time, offers[i].error); });
   std::vector<std::size_t> front;
   for (const std::size_t i : order) {
     if (front.empty() || offers[i].error < offers[front.back()].error) front.push_back(i);

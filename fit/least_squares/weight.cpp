@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -126,8 +127,7 @@ std::optional<double> append_edges(const Hinge& hinge, const Domain& domain,
 /// In falling order. A place within rounding of another, or of an end, is merged with it.
 std::vector<Shape::Edge> tidied(std::vector<Shape::Edge> edges, const Domain& domain) {
   const double near = 1e-14 * (domain.upper - domain.lower);
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const auto& a, const auto& b) { return a.above > b.above; });
+  std::ranges::stable_sort(edges, std::greater(), &Shape::Edge::above);
   std::vector<Shape::Edge> result;
   for (Shape::Edge edge : edges) {
     if (domain.upper - edge.above <= near) edge.above = edge.below = domain.upper;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -147,8 +148,7 @@ std::vector<Substitution> Substitution::between_edges(const Cosine<double>& top,
   if (shape.joint) edges.push_back({shape.joint->cosine, shape.joint->cosine, shape.joint->is_kink ? 2 : 1});
   if (bottom.cos_theta == 0 && shape.end_power != std::floor(shape.end_power))
     edges.push_back({0, 0, smoothing_power(shape.end_power)});
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const auto& a, const auto& b) { return a.above > b.above; });
+  std::ranges::stable_sort(edges, std::greater(), &Shape::Edge::above);
 
   std::vector<Substitution> result;
   Cosine<double> from = top;

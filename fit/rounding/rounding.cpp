@@ -5,6 +5,7 @@
 
 #include "approx/encoding.hpp"
 #include "fit/families/admissible.hpp"
+#include "fit/proof/certificate.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/proof/running_error.hpp"
 #include "fit/rounding/rounding_problem.hpp"

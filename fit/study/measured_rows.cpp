@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "fit/support/decimal.hpp"
+#include "fit/support/lines.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -18,27 +19,11 @@ std::string shown(std::string_view cell) {
   return "'" + std::string(cell.substr(0, most_shown)) + (cell.size() > most_shown ? " ..'" : "'");
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(blanks) + 1);  // npos + 1 is 0
-}
-
-/// Removes the first line of a text, its end included.
-std::string_view next_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
 /// The text of a file of rows, line by line.
 class RowReader {
  public:
-  RowReader(std::string_view text, const std::string& file) : file_("'" + file + "'"), rest_(text) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(mark)) rest_.remove_prefix(mark.size());
+  RowReader(std::string_view text, const std::string& file)
+      : file_("'" + file + "'"), rest_(without_mark(text)) {
     if (rest_.empty()) throw UserError(file_ + " is empty: its first line must name the columns");
     // A byte 0 would cut a message off, and no text has one.
     if (rest_.find('\0') != std::string_view::npos)
@@ -49,9 +34,7 @@ class RowReader {
 
   const std::string& file() const { return file_; }
   bool has_more() const { return !rest_.empty(); }
-  bool has_column(std::string_view name) const {
-    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
-  }
+  bool has_column(std::string_view name) const { return std::ranges::find(columns_, name) != columns_.end(); }
 
   std::size_t column(std::string_view name) const {
     if (!has_column(name)) {
@@ -59,7 +42,7 @@ class RowReader {
       for (const std::string_view column : columns_) list += (list.empty() ? "" : ", ") + shown(column);
       throw UserError(file_ + " has no column " + shown(name) + "; it has " + list);
     }
-    return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
+    return static_cast<std::size_t>(std::ranges::find(columns_, name) - columns_.begin());
   }
 
   void next_row() {

@@ -21,8 +21,7 @@ bool is_inverse_sigma(const ReadStudy& study, const StudyNodes& nodes) {
   const Symbolic product = study.weight * Symbolic::variable("sigma");
   constexpr double rounding = 1e-14;
   const std::vector<double> values = values_at_nodes(study, product, nodes);
-  return std::all_of(values.begin(), values.end(),
-                     [](double value) { return std::abs(value - 1) <= rounding; });
+  return std::ranges::all_of(values, [](double value) { return std::abs(value - 1) <= rounding; });
 }
 
 /// inverse(J^T J), by a QR decomposition of J with columns of length 1.

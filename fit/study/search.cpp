@@ -78,8 +78,7 @@ struct SearchedPlace {
 };
 
 void sort_by_square(std::vector<SearchedPlace>& places) {
-  std::stable_sort(places.begin(), places.end(),
-                   [](const SearchedPlace& a, const SearchedPlace& b) { return a.square < b.square; });
+  std::ranges::stable_sort(places, {}, &SearchedPlace::square);
 }
 
 /// Descents on some nodes. A place without a finite error is left out. `units` are those of all parameters,

@@ -44,8 +44,7 @@ struct StudyFit {
   /// Of a minimax fit. If not, other parameters have the level too, and these the least mean square of all.
   bool is_unique = true;
   std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
-  std::vector<StudyContact> touching =
-      {};  ///< of a minimax fit in several variables: where it is at its level
+  std::vector<StudyContact> touching = {};         ///< of one in several variables: where it is at its level
   std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
 };
 

@@ -160,7 +160,7 @@ std::vector<AxisNode> axis_nodes(const StudyAxis& axis, const std::vector<StudyE
 
 /// Sorts edges and merges those that differ by rounding. The ends stay where they are.
 std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edges) {
-  std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  std::ranges::sort(edges, {}, &StudyEdge::at);
   std::vector<StudyEdge> result;
   const double near = 1e-13 * (axis.upper - axis.lower);
   for (const StudyEdge& edge : edges) {
@@ -282,8 +282,7 @@ StudyNodes nodes_of_rows(const MeasuredRows& rows) {
 
 std::vector<Symbolic> moving_kinks(const ReadStudy& study) {
   const auto has_parameter = [&](const std::set<std::string>& names) {
-    return std::any_of(study.parameters.begin(), study.parameters.end(),
-                       [&](const std::string& parameter) { return names.contains(parameter); });
+    return std::ranges::any_of(study.parameters, [&](const auto& name) { return names.contains(name); });
   };
   std::vector<Symbolic> kinks;
   for (const Hinge& hinge : hinges_where({&study.form}, has_parameter))

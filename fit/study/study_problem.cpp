@@ -13,8 +13,7 @@ namespace {
 
 bool contains_any(const Symbolic& e, const std::vector<std::string>& names) {
   const auto variables = free_variables(e);
-  return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name) { return variables.contains(name); });
+  return std::ranges::any_of(names, [&](const auto& name) { return variables.contains(name); });
 }
 
 /// The parameters in which the error is linear together: in their order, each one that keeps it linear.

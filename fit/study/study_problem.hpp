@@ -20,6 +20,14 @@ using VectorOf = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T>
 using MatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// The parameters behind a step, added in its arithmetic.
+template <class T>
+std::vector<double> moved_by(const VectorOf<T>& step, std::vector<double> parameters) {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    parameters[i] = static_cast<double>(static_cast<T>(parameters[i]) + step[static_cast<Eigen::Index>(i)]);
+  return parameters;
+}
+
 /// The parameters and the error of a study. The products of these columns lie on the stack.
 inline constexpr int most_product_columns = static_cast<int>(most_study_parameters) + 1;
 template <class T>

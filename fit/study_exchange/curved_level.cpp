@@ -143,8 +143,7 @@ std::optional<StudyFit> settled_on_tops(const CurvedSurface& surface, const Poli
   fit.level = found->level;
   for (const LevelRow& row : found->rows)
     fit.touching.push_back({surface.polish(held.places[row.row], fit.parameters), row.sign * *fit.level});
-  std::sort(fit.touching.begin(), fit.touching.end(),
-            [](const StudyContact& a, const StudyContact& b) { return a.at < b.at; });
+  std::ranges::sort(fit.touching, {}, &StudyContact::at);
   return fit;
 }
 

@@ -155,8 +155,7 @@ class LeastAtLevel {
     if (!answer || !answer->step.allFinite()) return false;
     active_.clear();
     for (const ActiveCondition& active : answer->active) active_.push_back(active.condition);
-    for (std::size_t i = 0; i < start_.size(); ++i)
-      parameters_[i] = start_[i] + answer->step[static_cast<Eigen::Index>(i)];
+    parameters_ = moved_by(answer->step, start_);
     return true;
   }
 
@@ -193,12 +192,6 @@ class LeastAtLevel {
     return matrix.fullPivLu().solve(lack).head(size);
   }
 
-  void take(const Wide& step) {
-    for (std::size_t i = 0; i < parameters_.size(); ++i)
-      parameters_[i] =
-          static_cast<double>(static_cast<long double>(parameters_[i]) + step[static_cast<Eigen::Index>(i)]);
-  }
-
   /// A parameter that moves the form by less than 1e-16 of the target is rounding: it becomes 0.
   void clear_rounding(double target_norm) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
@@ -214,10 +207,10 @@ class LeastAtLevel {
     for (std::size_t rule = search_rule(surface_.study); rule < fit_rules.size() && size > settled; ++rule) {
       const SampledStudy<long double> sampled(surface_.error, nodes(rule));
       const Wide first = newton(sampled);
-      take(first);
+      parameters_ = moved_by(first, parameters_);
       const auto target_norm = static_cast<double>(sampled.target_norm());
       size = relative_size(first, parameters_, hessian_, target_norm);
-      take(newton(sampled));
+      parameters_ = moved_by(newton(sampled), parameters_);
       clear_rounding(target_norm);
     }
     fit.parameters = parameters_;
@@ -228,8 +221,7 @@ class LeastAtLevel {
     for (const std::size_t active : active_) {
       if (conditions_[active].contact) fit.touching.push_back(*conditions_[active].contact);
     }
-    std::sort(fit.touching.begin(), fit.touching.end(),
-              [](const StudyContact& a, const StudyContact& b) { return a.at < b.at; });
+    std::ranges::sort(fit.touching, {}, &StudyContact::at);
     const bool is_settled = fit.digits >= least_study_digits;
     fit.status = is_settled ? Status::converged : Status::not_converged;
     fit.why = is_settled ? "" : "the integral of the squared error does not converge";

@@ -217,8 +217,7 @@ class SurfaceExchange {
     }
     for (std::size_t i = 0; i < unknowns; ++i)
       fit.touching.push_back({support[i], support_.signs[i] * *fit.level});
-    std::sort(fit.touching.begin(), fit.touching.end(),
-              [](const StudyContact& a, const StudyContact& b) { return a.at < b.at; });
+    std::ranges::sort(fit.touching, {}, &StudyContact::at);
     fit.status = fit.digits < least_study_digits ? Status::not_converged : Status::converged;
     fit.why = fit.status == Status::converged ? "" : "Newton's method does not settle in long double";
     if (!is_determined(fit)) {

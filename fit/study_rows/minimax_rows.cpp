@@ -82,8 +82,7 @@ void append_contacts(const ReadStudy& study, const PolishedLevel& level,
     contacts.push_back({{}, row.sign * level.level});
     for (const auto& column : study.rows->places) contacts.back().at.push_back(column[row.row]);
   }
-  std::sort(contacts.begin() + first, contacts.end(),
-            [](const StudyContact& a, const StudyContact& b) { return a.at < b.at; });
+  std::ranges::sort(contacts.begin() + first, contacts.end(), {}, &StudyContact::at);
 }
 
 /// The fit from one start: one level after the other.

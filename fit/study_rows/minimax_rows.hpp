@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fit/study/study_fit.hpp"
+#include "fit/support/checkpoint.hpp"
 
 namespace shadefit {
 

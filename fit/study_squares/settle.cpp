@@ -24,8 +24,7 @@ std::optional<ParameterMatrix<double>> polish(const SampledStudy<double>& sample
     if (!step.allFinite()) return std::nullopt;
     const auto size =
         static_cast<double>(relative_size(step, parameters, sums.hessian, sampled.target_norm()));
-    std::vector<double> next = parameters;
-    for (std::size_t j = 0; j < next.size(); ++j) next[j] += step[static_cast<Eigen::Index>(j)];
+    std::vector<double> next = moved_by(step, parameters);
     if (size < 1e-15 || (size < 1e-10 && size >= last / 2)) {
       return is_minimum(hessian.scaled) ? std::optional(sums.hessian) : std::nullopt;
     }
@@ -34,8 +33,7 @@ std::optional<ParameterMatrix<double>> polish(const SampledStudy<double>& sample
     while (size > 1e-6 && scale > 1e-4 &&
            (!(sampled.square(next) <= sums.square * (1 + 1e-12)) || sampled.has_pole(next))) {
       scale /= 2;
-      for (std::size_t j = 0; j < next.size(); ++j)
-        next[j] = parameters[j] + scale * step[static_cast<Eigen::Index>(j)];
+      next = moved_by<double>(scale * step, parameters);
     }
     parameters = next;
     last = size;

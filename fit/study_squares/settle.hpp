@@ -5,11 +5,18 @@
 #include "fit/study/study_problem.hpp"
 #include "fit/study_squares/rules.hpp"
 
-/// From the basin of a search to the optimum, with the digits that are right.
+/// From the basin of a search to the optimum, with the digits that are right: three ways, by the form.
 namespace shadefit {
 
 /// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
 /// `searched` is the study under the first rule, if its panels are still the same.
 StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const SampledStudy<double>* searched);
+
+/// Newton's method where kinks move with the parameters. The derivatives of the last place count the digits
+/// with the next rule.
+StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate);
+
+/// The optimum of a form that is linear in all parameters, by one rule after the other.
+StudyFit settle_linear(const Rules& rules);
 
 }  // namespace shadefit

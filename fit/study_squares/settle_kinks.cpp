@@ -1,4 +1,4 @@
-#include "fit/study_squares/settle_kinks.hpp"
+#include "fit/study_squares/settle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +58,7 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate) {
     // A step that leads up is halved.
     if (!(sums.square <= square * (1 + 1e-12)) && shortening > 1e-4) {
       shortening /= 2;
-      for (std::size_t j = 0; j < from.size(); ++j)
-        at[j] = from[j] + shortening * step[static_cast<Eigen::Index>(j)];
+      at = moved_by<double>(shortening * step, from);
       continue;
     }
     if ((sums.hessian.diagonal().array() == 0).any()) break;
@@ -85,7 +84,7 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate) {
     from = at;
     square = sums.square;
     shortening = 1;
-    for (std::size_t j = 0; j < at.size(); ++j) at[j] += step[static_cast<Eigen::Index>(j)];
+    at = moved_by(step, at);
   }
   rules.move_kinks(fit.parameters);
   const bool is_settled = std::isfinite(best) && fit.digits >= least_study_digits;

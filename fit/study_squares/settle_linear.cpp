@@ -1,4 +1,4 @@
-#include "fit/study_squares/settle_linear.hpp"
+#include "fit/study_squares/settle.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/linear_optimum.hpp"
-#include "fit/least_squares/newton.hpp"
+#include "fit/least_squares/scaled_hessian.hpp"
 
 namespace shadefit {
 namespace {

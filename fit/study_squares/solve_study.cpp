@@ -14,8 +14,6 @@
 #include "fit/study_squares/equal_candidates.hpp"
 #include "fit/study_squares/rules.hpp"
 #include "fit/study_squares/settle.hpp"
-#include "fit/study_squares/settle_kinks.hpp"
-#include "fit/study_squares/settle_linear.hpp"
 
 namespace shadefit {
 namespace {
@@ -34,8 +32,7 @@ std::vector<StudyCandidate> settled_basins(Rules& rules, const SearchedStudy& se
       others.push_back(basin);
     }
   }
-  const auto is_lower = [](const auto& a, const auto& b) { return a.square < b.square; };
-  std::stable_sort(result.begin(), result.end(), is_lower);
+  std::ranges::stable_sort(result, {}, &StudyCandidate::square);
   result.insert(result.end(), others.begin(), others.end());
   return result;
 }

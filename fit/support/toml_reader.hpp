@@ -97,8 +97,7 @@ class TomlReader {
       const auto begin = entry.second->source().begin;
       return std::pair(begin.line, begin.column);
     };
-    std::sort(result.begin(), result.end(),
-              [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    std::ranges::sort(result, {}, place);
     return result;
   }
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/support/lines.hpp"
 #include "fit/support/user_error.hpp"
 #include "scene/files/messages.hpp"
-#include "scene/files/words.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -139,6 +139,12 @@ void take_line(const MtlLine& line, MtlEntry& material) {
 }
 
 }  // namespace
+
+Words words_of_line(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+  return {text.substr(0, end), trimmed(text.substr(end))};
+}
 
 std::vector<MtlEntry> parse_mtl(std::string_view text, const std::string& file, std::size_t most) {
   std::vector<MtlEntry> materials;

@@ -41,4 +41,10 @@ struct MtlEntry {
 /// Technologies.
 std::vector<MtlEntry> parse_mtl(std::string_view text, const std::string& file, std::size_t most);
 
+/// A line's first word, and the rest without the blanks around it.
+struct Words {
+  std::string_view key, values;
+};
+Words words_of_line(std::string_view line);
+
 }  // namespace shadefit::scene

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "fit/support/bounded_file.hpp"
+#include "fit/support/lines.hpp"
 #include "fit/support/user_error.hpp"
 #include "scene/files/messages.hpp"
 #include "scene/files/uri.hpp"
-#include "scene/files/words.hpp"
 #include "scene/mtl/mtl_material.hpp"
 
 namespace shadefit::scene {

@@ -25,8 +25,7 @@ std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
   for (const WeightedPower& lobe : lobes) {
     if (lobe.power.most > 0) all.push_back({lobe.power.most, lobe.factor});
   }
-  std::sort(all.begin(), all.end(),
-            [](const LobeFitter::Lobe& a, const LobeFitter::Lobe& b) { return a.power < b.power; });
+  std::ranges::sort(all, {}, &LobeFitter::Lobe::power);
   double first = 0;
   for (const LobeFitter::Lobe& lobe : all) {
     if (kept.empty() || lobe.power > neighbours * first) {
@@ -41,8 +40,7 @@ std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
 
 /// Merges powers within 10 % into the first of them.
 std::vector<UsedPower> taken_together(std::vector<UsedPower> used) {
-  std::sort(used.begin(), used.end(),
-            [](const UsedPower& a, const UsedPower& b) { return a.power < b.power; });
+  std::ranges::sort(used, {}, &UsedPower::power);
   std::vector<UsedPower> kept;
   for (const UsedPower& one : used) {
     if (one.power == 0) continue;

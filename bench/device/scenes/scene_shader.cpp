@@ -74,8 +74,7 @@ SceneShader full_shader(const scene::Scene& scene) {
 }
 
 const ShaderFunction* find(const SceneShader& shader, std::string_view name) {
-  const auto found = std::find_if(shader.functions.begin(), shader.functions.end(),
-                                  [&](const ShaderFunction& function) { return function.name == name; });
+  const auto found = std::ranges::find(shader.functions, name, &ShaderFunction::name);
   return found == shader.functions.end() ? nullptr : &*found;
 }
 

@@ -88,8 +88,7 @@ void append(DeviceForms& all, const StudyComparison& comparison, const bench::Ti
       row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
     added.push_back({place, row, contender.form + ": " + to_text(contender.operations), function});
   }
-  std::stable_sort(added.begin(), added.end(),
-                   [](const DeviceForm& a, const DeviceForm& b) { return a.shape < b.shape; });
+  std::ranges::stable_sort(added, {}, &DeviceForm::shape);
   all.forms.insert(all.forms.end(), added.begin(), added.end());
 }
 
