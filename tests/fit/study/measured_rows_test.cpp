@@ -24,12 +24,13 @@ TEST(MeasuredRows, ReadsColumnsByName) {
   EXPECT_EQ(rows.sigma, (Numbers{0.5, 0.25}));
 }
 
-// Windows, a last line without an end, a byte order mark, blanks, columns of text: as other tools write them.
+// Windows, an old Macintosh, a last line without an end, a byte order mark, blanks, columns of text: as other
+// tools write them.
 TEST(MeasuredRows, ReadsWhatOtherToolsWrite) {
   const Numbers one{1}, two{2};
-  for (const char* text :
-       {"x,value\n1,2\n", "x,value\r\n1,2\r\n", "x,value\n1,2", "\xEF\xBB\xBFx,value\n1,2\n",
-        " x ,\tvalue \n 1 ,\t2 \n", "name,x,value\nsteel,1,2\n", "x,value,name\n1,2,\n"}) {
+  for (const char* text : {"x,value\n1,2\n", "x,value\r\n1,2\r\n", "x,value\r1,2\r", "x,value\n1,2",
+                           "\xEF\xBB\xBFx,value\n1,2\n", " x ,\tvalue \n 1 ,\t2 \n",
+                           "name,x,value\nsteel,1,2\n", "x,value,name\n1,2,\n"}) {
     const MeasuredRows rows = read_rows(text);
     EXPECT_EQ(rows.places[0], one) << text;
     EXPECT_EQ(rows.value, two) << text;
