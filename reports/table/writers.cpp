@@ -159,13 +159,14 @@ std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows
 }
 
 bool is_largest_error(const ConsoleColumn& column) {
-  return column.title == "largest residual" ||
+  return column.title == "largest residual" || column.title == "max error at least" ||
          (column.title.starts_with("max ") && column.title.ends_with(" error"));
 }
 
-/// What a reader came for: the constants, where they are from, and the first of the largest errors.
+/// What a reader came for: the constants, where they are from, and the first of the largest errors or its
+/// bounds.
 bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleColumn>::iterator column) {
-  return column->title == "constants" || column->title == "from" ||
+  return column->title == "constants" || column->title == "from" || column->title == "at most" ||
          (is_largest_error(*column) && std::ranges::find_if(columns, is_largest_error) == column);
 }
 

@@ -102,6 +102,15 @@ TEST(Terminal, TheOriginOfConstantsStaysLongerThanASecondError) {
   EXPECT_EQ(narrow.find("from,"), std::string::npos) << narrow;
 }
 
+TEST(Terminal, TheBoundsOfAProofStayLongest) {
+  const std::string narrow = on_terminal({"certify", "burley-albedo"}, 80);
+  EXPECT_NE(narrow.find("  from         max error at least             at most\n"), std::string::npos)
+      << narrow;
+  EXPECT_NE(narrow.find("(left out for the width of the terminal: boxes, at r, at x, k, h, g)"),
+            std::string::npos)
+      << narrow;
+}
+
 TEST(Terminal, VerdictsAreColouredThereAlone) {
   const std::vector<std::string> call{"explain", "sg-offset-mean"};
   EXPECT_NE(on_terminal(call, 80).find("verdict   \x1b[32mconfirmed\x1b[0m\n"), std::string::npos);
