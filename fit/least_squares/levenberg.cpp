@@ -12,31 +12,29 @@ namespace {
 constexpr int most_on_stack = 12;
 
 /// For one or two parameters the sizes are known to the compiler, and nothing is allocated. Residuals that
-/// are missing are 0, and so are the derivatives by a parameter that is missing: then no step moves it. There
-/// is one such size, because each takes seconds to compile.
+/// are missing are 0. Each size takes seconds to compile.
+template <int N>
 class OnStack {
  public:
   using Scalar = double;
-  enum { NUM_RESIDUALS = most_on_stack, NUM_PARAMETERS = 2 };
+  enum { NUM_RESIDUALS = most_on_stack, NUM_PARAMETERS = N };
 
-  OnStack(const Residuals& residuals, Eigen::Index parameters)
-      : residuals_(residuals), parameters_(parameters) {}
+  explicit OnStack(const Residuals& residuals) : residuals_(residuals) {}
 
-  int NumParameters() const { return NUM_PARAMETERS; }
+  int NumParameters() const { return N; }
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
     std::fill_n(residuals, most_on_stack, 0.0);
-    std::array<double, most_on_stack * NUM_PARAMETERS> columns;
+    std::array<double, most_on_stack * N> columns;
     residuals_.evaluate(parameters, residuals, jacobian == nullptr ? nullptr : columns.data());
     if (jacobian == nullptr) return true;
-    std::fill_n(jacobian, most_on_stack * NUM_PARAMETERS, 0.0);
-    for (Eigen::Index i = 0; i < parameters_; ++i)
+    std::fill_n(jacobian, most_on_stack * N, 0.0);
+    for (Eigen::Index i = 0; i < N; ++i)
       std::copy_n(columns.data() + i * residuals_.count, residuals_.count, jacobian + i * most_on_stack);
     return true;
   }
 
  private:
   const Residuals& residuals_;
-  Eigen::Index parameters_;
 };
 
 class OfAnySize {
@@ -68,20 +66,19 @@ int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Ei
   solver.options.function_tolerance = patience.last_change;
   solver.options.gradient_tolerance = 0;
   solver.options.cost_threshold = 0;
-  typename Solver::Parameters p = Solver::Parameters::Zero(function.NumParameters());
-  p.head(parameters.size()) = parameters;
+  typename Solver::Parameters p = parameters;
   const int steps = solver.Solve(function, &p).iterations;
-  parameters = p.head(parameters.size());
+  parameters = p;
   return steps;
 }
 
 }  // namespace
 
 int descend(const Residuals& residuals, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
-  const Eigen::Index size = parameters.size();
-  if (residuals.count <= most_on_stack && size <= OnStack::NUM_PARAMETERS)
-    return descend_by(OnStack(residuals, size), patience, parameters);
-  return descend_by(OfAnySize(residuals, size), patience, parameters);
+  const bool is_small = residuals.count <= most_on_stack;
+  if (is_small && parameters.size() == 1) return descend_by(OnStack<1>(residuals), patience, parameters);
+  if (is_small && parameters.size() == 2) return descend_by(OnStack<2>(residuals), patience, parameters);
+  return descend_by(OfAnySize(residuals, parameters.size()), patience, parameters);
 }
 
 }  // namespace shadefit
