@@ -101,7 +101,8 @@ TEST(BenchCommand, ComparesWithAnOlderRun) {
   // The times differ, the names do not.
   const auto names = [](const std::string& text) {
     std::vector<std::string> found;
-    for (const auto& row : nlohmann::json::parse(text).at("benchmarks")) found.push_back(row.at("name"));
+    const auto report = nlohmann::json::parse(text);
+    for (const auto& row : report.at("benchmarks")) found.push_back(row.at("name"));
     return found;
   };
   EXPECT_EQ(names(run({"--format", "json"}).out), names(old.out));
