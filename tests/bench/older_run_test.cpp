@@ -30,7 +30,7 @@ Trade on_machine(double factor) {
 
 TEST(OlderRun, ItsMediansAreReadBack) {
   Trade trade = made_up_trade();
-  trade.forms[1].real = {5, 2, 3};
+  trade.forms[1].real = trade.forms[1].cpu = {5, 2, 3};
   const Medians medians = written(trade);
   EXPECT_EQ(medians.size(), trade.copies.size() + trade.forms.size());
   EXPECT_EQ(medians.at("lobe/pow/float/AVX2/L1"), 3000) << "the unit is a thousand elements";
