@@ -20,7 +20,7 @@ bool is_same_curve(const SampledStudy<double>& sampled, const StudyCandidate& a,
 StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sampled,
                          const std::vector<StudyCandidate>& best);
 
-/// Why a place is flat: the parameters along which the square does not change. Empty if there are none.
+/// Names the parameters that can change while the curve stays the same. Empty if there are none.
 std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& sampled,
                            const std::vector<double>& parameters);
 

@@ -12,8 +12,8 @@
 namespace shadefit {
 namespace {
 
-/// Newton's method in double from a candidate to the bottom of its basin. Returns the exact Hessian there, or
-/// empty if there is no minimum.
+/// Newton's method in double from a candidate to the bottom of its basin. Returns the exact Hessian there,
+/// and nothing if the basin has no minimum.
 std::optional<ParameterMatrix<double>> polish(const SampledStudy<double>& sampled,
                                               std::vector<double>& parameters) {
   double last = HUGE_VAL;
