@@ -124,6 +124,7 @@ struct Scalar<Interval> {
   template <class Function>
   static Interval rising(const Interval& x, const Function& function) {
     if (is_nan(x)) return nan();
+    free_constants_with_the_thread();
     Interval result;
     auto* r = result.backend().data();
     function(&r->left, &x.backend().data()->left, MPFR_RNDD);
@@ -133,9 +134,18 @@ struct Scalar<Interval> {
   /// What one of MPFI's functions makes of intervals.
   template <class Function, class... Intervals>
   static Interval apply(const Function& function, const Intervals&... x) {
+    free_constants_with_the_thread();
     Interval result;
     function(result.backend().data(), x.backend().data()...);
     return result;
+  }
+  /// MPFR keeps the digits of pi and log 2 for each thread, and loses them when the thread ends.
+  static void free_constants_with_the_thread() {
+    struct Freed {
+      ~Freed() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+    };
+    thread_local const Freed freed;
+    static_cast<void>(freed);
   }
   static Interval lower(const Interval& x) { return at(x.backend().data()->left); }
   static Interval upper(const Interval& x) { return at(x.backend().data()->right); }

@@ -1,8 +1,12 @@
 #include "fit/proof/interval.hpp"
 
+#include <gmp.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
 #include "approx/encoding.hpp"
 #include "fit/scalars/multiprecision.hpp"
@@ -65,6 +69,24 @@ TEST(IntervalScalar, EnclosesDecimalTexts) {
   EXPECT_LT(end(x, false), end(x, true)) << "0.775 is no binary number";
   EXPECT_TRUE(contains(x, Decimal100("0.775")));
   EXPECT_THROW(constant<Interval>("0.7x"), std::invalid_argument);
+}
+
+/// Blocks of GMP and MPFR that are allocated and not freed.
+std::atomic<int> blocks = 0;
+
+TEST(IntervalScalar, AThreadFreesTheConstantsThatItComputed) {
+  mp_set_memory_functions(
+      [](std::size_t size) { return ++blocks, std::malloc(size); },
+      [](void* block, std::size_t, std::size_t size) { return std::realloc(block, size); },
+      [](void* block, std::size_t) { --blocks, std::free(block); });
+  int inside = 0;
+  std::thread([&] {
+    static_cast<void>(cos(log(span("2", "3"))));
+    inside = blocks;
+  }).join();
+  mp_set_memory_functions(nullptr, nullptr, nullptr);
+  EXPECT_GT(inside, 0) << "MPFR keeps pi and log 2";
+  EXPECT_EQ(blocks, 0);
 }
 
 }  // namespace
