@@ -19,6 +19,7 @@
 #include "app/options/option_values.hpp"
 #include "app/terminal/interrupt.hpp"
 #include "fit/support/known.hpp"
+#include "fit/support/nearest.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/utf8.hpp"
 
@@ -89,13 +90,28 @@ void require_values(const CLI::App& command, const std::vector<std::string>& arg
   }
 }
 
-/// CLI11 lists unexpected arguments from the last to the first; this names the first.
-std::string first_unexpected(const std::string& message, const std::vector<std::string>& arguments) {
+/// Names the first unexpected argument. CLI11 lists them from the last to the first.
+std::string first_unexpected(const std::string& message, const std::vector<std::string>& arguments,
+                             const CLI::App& command) {
   std::istringstream words(message.substr(message.rfind(": ") + 1));
   const std::vector<std::string> unexpected{std::istream_iterator<std::string>(words), {}};
   const auto first =
       std::find_first_of(arguments.begin(), arguments.end(), unexpected.begin(), unexpected.end());
-  return first == arguments.end() ? message : fmt::format("unexpected argument '{}'", *first);
+  if (first == arguments.end()) return message;
+  if (!first->starts_with("--")) return fmt::format("unexpected argument '{}'", *first);
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) options.push_back(option->get_name());
+  const auto nearest = nearest_name(*first, options);
+  return fmt::format("unknown option '{}'{}", *first,
+                     nearest ? fmt::format(": did you mean '{}'?", *nearest) : "");
+}
+
+/// What the first missing argument is. The message begins with its name.
+std::string first_missing(const std::string& message, const CLI::App& command) {
+  const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(' ')));
+  if (option == nullptr) return message;
+  return fmt::format("{} needs {}: {}", command.get_name(), option->get_type_name(),
+                     option->get_description());
 }
 
 /// The message begins with the name of the option.
@@ -143,7 +159,9 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // in reverse, for CLI11
   } catch (const CLI::ExtrasError& error) {
-    return usage_error(first_unexpected(error.what(), arguments), arguments);
+    return usage_error(first_unexpected(error.what(), arguments, command), arguments);
+  } catch (const CLI::RequiredError& error) {
+    return usage_error(first_missing(error.what(), command), arguments);
   } catch (const CLI::ArgumentMismatch& error) {
     return usage_error(wrong_number(error.what(), command), arguments);
   } catch (const CLI::ParseError& error) {

@@ -161,7 +161,8 @@ std::string claim_of(const std::string& id) {
 /// Keeps the rows whose id contains the text. Throws UserError if none does.
 void keep_only(Table& list, const std::string& text) {
   std::erase_if(list.rows, [&](const auto& row) { return !holds(std::get<std::string>(row.front()), text); });
-  if (list.rows.empty()) throw UserError(fmt::format("'{}' is in no id: 'shadefit list' has them all", text));
+  if (list.rows.empty())
+    throw UserError(fmt::format("no id contains '{}': 'shadefit list' prints all ids", text));
 }
 
 }  // namespace
@@ -202,6 +203,10 @@ Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpo
       return explain_study_command(*study, options, checkpoint, progress);
   }
   const std::string claim = claim_of(options.id);
+  if (!is_claim &&
+      std::ranges::any_of(fittable_families(), [&](const auto& f) { return f.info.id == claim; }))
+    throw UserError(fmt::format(
+        "'{0}' is a family, not a claim: see 'shadefit list --family {0}' and 'shadefit better {0}'", claim));
   require_known(claim, claim_ids(), "claim");
   Fits fits;
   const JudgedClaim judged = judge_claims([&](std::string_view id) { return id == claim; }, fits).front();

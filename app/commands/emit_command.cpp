@@ -118,6 +118,13 @@ std::string exponents_text(const std::vector<Setting>& settings) {
                      settings.size());
 }
 
+/// The comment above the code, whose proof is about numbers that are not rounded.
+std::vector<std::string> in_precision(ShaderPrecision precision, std::vector<std::string> comment) {
+  if (precision == ShaderPrecision::float16)
+    comment.emplace_back("The rounding of constants and operations to half comes on top.");
+  return comment;
+}
+
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
@@ -141,7 +148,8 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
                   family.has_exponent() ? exponents_text(settings) : ""),
   };
   const std::array functions{function_of(family, options, subject)};
-  return shader_code(functions, *options.language, options.precision, comment);
+  return shader_code(functions, *options.language, options.precision,
+                     in_precision(options.precision, comment));
 }
 
 /// What is known of the largest error of a study's code: proven where there is a proof, else sampled.
@@ -193,7 +201,8 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
       error_line(subject, checkpoint),
   };
   const std::array functions{function};
-  return shader_code(functions, *options.language, options.precision, comment);
+  return shader_code(functions, *options.language, options.precision,
+                     in_precision(options.precision, comment));
 }
 
 }  // namespace

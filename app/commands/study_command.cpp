@@ -23,7 +23,7 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   for (const FittedStudy& study : studies) {
     if (study.fit.status == Status::converged) continue;
     const std::string given = given_text(study.asked());
-    lines += fmt::format("shadefit: the fit{}{}: {}, {}\n", given.empty() ? "" : " of ", given,
+    lines += fmt::format("shadefit: the fit{}{} is {}: {}\n", given.empty() ? "" : " of ", given,
                          name(study.fit.status), study.fit.why);
     for (std::size_t i = 0; i < study.fit.other.size(); ++i)
       lines += fmt::format("shadefit: {} = {} or {}\n", study.fit.names[i], to_text(study.fit.parameters[i]),

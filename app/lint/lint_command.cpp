@@ -200,16 +200,17 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   add_finding_format(lint, options.format, true);
   Choices<std::string> grades;
   for (const std::string& word : fail_on_words()) grades.emplace_back(word, word);
-  add_choice(lint, "--fail-on", options.fail_on, grades, "the least grade that fails (default: wrong)");
+  add_choice(lint, "--fail-on", options.fail_on, grades, "the mildest grade that fails (default: wrong)");
   const auto effect = [](const std::string& option, const std::string& text) {
     const double value = parse_finite(option, text);
     if (value < 0) throw UserError(fmt::format("{} '{}' must be at least 0", option, text));
     return value;
   };
-  add_value(lint, "--max-effect", options.max_effect, effect, "X",
-            "a curve that moves by more is wrong (default: 0.001, of a colour half an 8-bit sRGB code)");
+  add_value(
+      lint, "--max-effect", options.max_effect, effect, "X",
+      "a number that moves its curve by more is wrong (default: 0.001; for a colour half an 8-bit sRGB code)");
   add_value(lint, "--baseline", options.baseline, parse_text, "FILE",
-            "do not fail for what this report has, an earlier --format json");
+            "do not fail for findings that are in FILE, the output of an earlier --format json");
   add_values(lint, "--exclude", options.exclude, parse_text, "GLOB",
              "leave these files out, as .gitignore does; may be repeated");
   add_values(lint, "--language", options.languages, parse_choice(by_name(lint::source_languages)), "NAME",
@@ -222,8 +223,8 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   };
   add_value(
       lint, "--fix", options.fix, scope, "pins|typo|wrong",
-      "write the published digits. pins (also without a value): of pinned numbers; wrong: also of wrong "
-      "ones; typo: also of wrong and mistyped ones")
+      "replace numbers by the published digits. pins (also without a value): pinned numbers; wrong: also those "
+      "of the grade wrong; typo: also those of the grades wrong and typo")
       ->expected(0, 1);
   lint.add_flag("--diff", options.diff,
                 "print what --fix would change (alone: --fix pins), and write nothing");

@@ -55,8 +55,8 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
 /// Adds the options for a comparison with an older run.
 void add_comparison(CLI::App& bench, BenchOptions& options, CLI::Option* exhaustive) {
   auto* compare = add_value(bench, "--compare", options.compare, parse_text, "OLD.json",
-                            "exit 1 if a form takes longer than in this file of --json, each in the time of "
-                            "its target's reference in the same run")
+                            "exit 1 if a form is slower than in OLD.json, an earlier --json; each time is "
+                            "divided by that of its target's reference in the same run")
                       ->excludes(exhaustive);
   add_value(bench, "--fail-above", options.fail_above, parse_percentage, "P%",
             "with --compare: how much longer a form may take")

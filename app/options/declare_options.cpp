@@ -47,7 +47,7 @@ void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_defa
 
 void add_domain(CLI::App& command, FitOptions& fit) {
   add_value(command, "--domain", fit.metric.domain, parse_domain, "A:B",
-            "the range of cosines of the fit and of its errors (default: 0:1)");
+            "for a built-in family: the range of cosines of the fit and of its errors (default: 0:1)");
 }
 
 /// Adds the options for the surface of a Fresnel form.
@@ -62,8 +62,9 @@ void add_surface(CLI::App& command, FitOptions& fit) {
 
 /// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
 void add_metric(CLI::App& command, FitOptions& fit) {
-  add_choice(command, "--measure", fit.metric.measure, by_name(measures),
-             "how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
+  add_choice(
+      command, "--measure", fit.metric.measure, by_name(measures),
+      "for a built-in family, how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
   add_choice(
       command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
       "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
@@ -76,8 +77,9 @@ void add_metric(CLI::App& command, FitOptions& fit) {
 }
 
 void add_norm(CLI::App& command, FitOptions& fit) {
-  add_choice(command, "--norm", fit.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
-             "what the fit minimises: the mean square of the error, or its maximum");
+  add_choice(
+      command, "--norm", fit.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
+      "what the fit minimises: the mean square of the error, or its maximum; a study has a norm of its own");
 }
 
 /// Adds the options for the constraints of a fit.
@@ -89,14 +91,14 @@ void add_constraints(CLI::App& command, Metric& metric) {
   };
   add_value(
       command, "--weight", metric.weight, parse_weight, "FORMULA",
-      "multiplies the error: a formula in c, or in the variables of --over, that is nowhere negative, for "
+      "multiplies the error: a formula in the cosine c, or in the variables of --over, that is nowhere negative, for "
       "example '1 + 4 c'; with --table also in value and sigma");
   Constraints& constraints = metric.constraints;
   add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
              "a parameter that is given, not fitted; may be repeated");
   add_values(command, "--exact-at", constraints.exact_at, parse_finite, "C",
              "an end of the domain where the form equals its target; may be repeated. For a built-in family "
-             "this and the next three options need --norm minimax");
+             "--exact-at, --one-sided, --at-most and --at-least need --norm minimax");
   add_choice(command, "--one-sided", constraints.one_sided, by_name(std::array{Side::above, Side::below}),
              "the side of its target on which the form stays");
   add_value(command, "--at-most", constraints.at_most, parse_finite, "V",
@@ -104,7 +106,7 @@ void add_constraints(CLI::App& command, Metric& metric) {
   add_value(command, "--at-least", constraints.at_least, parse_finite, "V",
             "the form stays at or above this value");
   add_choice(command, "--monotone", constraints.monotone, by_name(std::array{Course::falls, Course::rises}),
-             "a form of your own never rises, or never falls");
+             "the course of a form of your own: falls if it never rises, rises if it never falls");
 }
 
 /// Adds the options of a study. Named studies take them too, instead of what the file says.
@@ -124,9 +126,10 @@ void add_study(CLI::App& command, FitOptions& options) {
              "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
              "a function or a value for the other formulas, for example 'f(x)=x^2' or 'k=3'");
-  add_value(command, "--params", study.parameters, parse_names, "NAME,..",
-            "the parameters of --form, so that a mistyped name is not one (default: every name that is not a "
-            "variable or a constant)");
+  add_value(
+      command, "--params", study.parameters, parse_names, "NAME,..",
+      "the parameters of --form; then any other unknown name is an error (default: every name that is not a "
+      "variable or a constant)");
   add_values(command, "--start", study.starts, parse_held, "NAME=VALUE",
              "one more start of the search: a value of a parameter of --form");
 }
@@ -150,7 +153,7 @@ void add_target_or_formula(CLI::App& command, FitOptions& options, const std::st
 void add_force(CLI::App& command, bool& force) {
   command.add_flag(
       "--force", force,
-      "replace a file even if shadefit did not write it; a picture also if it was changed since");
+      "replace a file that shadefit did not write, and a picture that was changed after shadefit wrote it");
 }
 
 void add_out(CLI::App& command, std::string& out) {
@@ -165,8 +168,11 @@ void add_studies(CLI::App& command, StudyFolders& folders) {
 void declare_list(CLI::App& list, ListOptions& options) {
   list.add_option("id", options.id, "only what has this text in its id; or a study's file, NAME.toml")
       ->type_name("ID");
-  add_choice(list, "--verdict", options.verdict, by_name(all_verdicts),
-             "only the claims with this verdict (computes them all)");
+  add_choice(
+      list, "--verdict", options.verdict, by_name(all_verdicts),
+      "only the claims with this verdict (computes them all). confirmed: all digits are right; rounding: the last "
+      "one is off by one; other-objective: another fit has the digits; conditional: true in a part of the "
+      "range; refuted: none of these");
   add_value(list, "--topic", options.topic, parse_text, "TEXT",
             "only the topics with this text in their title, for example fresnel");
   add_value(list, "--family", options.family, parse_text, "FAMILY", "only the claims on this family");
@@ -307,10 +313,11 @@ void declare_check(CLI::App& check, CheckOptions& options) {
   add_studies(check, options.studies);
   add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of those tables")
       ->default_str(options.baseline);
-  check.add_flag("--all", options.all,
-                 "also the tables that take longer, of stress and bench, and rows of the tables of studies");
+  check.add_flag(
+      "--all", options.all,
+      "also compare the slow tables, those of stress and bench, and the rows of the tables of studies");
   add_value(check, "--fail-above", options.fail_above, parse_percentage, "P%",
-            "a number may change by this share of it (default: each change fails)");
+            "allow a number to change by this share of its old value (default: each change fails)");
   add_finding_format(check, options.format, true);
 }
 

@@ -174,8 +174,10 @@ CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool h
   auto choices = by_name(findings::finding_formats);
   std::erase_if(choices,
                 [&](const auto& choice) { return choice.second == FindingFormat::sarif && !has_places; });
-  return add_choice(command, "--format", format, choices,
-                    "of what is printed, for people, dashboards and code hosts");
+  return add_choice(
+      command, "--format", format, choices,
+      "the format of the output: text is for people, junit for dashboards, sarif, github and markdown for code "
+      "hosts");
 }
 
 findings::FindingReport one_check(const std::string& command, const findings::FindingRule& rule,

@@ -42,7 +42,7 @@ void refuse_others(const FitOptions& options, const std::string& with) {
   const auto refuse = [&](const std::string& option, const std::string& why) {
     throw UserError(fmt::format("{} does not go with {}: {}", option, with, why));
   };
-  if (options.exponents) refuse("--exponent", "name it in the formulas and give it by --given");
+  if (options.exponents) refuse("--exponent", "write it as a name in the formulas, and set that by --given");
   if (options.ior || options.extinction || options.f0)
     refuse(options.ior          ? "--ior"
            : options.extinction ? "--extinction"

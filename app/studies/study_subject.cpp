@@ -48,7 +48,7 @@ Constants fitted_constants(const StudyObjective& objective, const Checkpoint& ch
   const StudyFit fit = fit_study(objective, checkpoint);
   if (fit.status == Status::converged) return constants_of(objective.study, fit);
   const std::string given = given_text(objective.study);
-  throw UserError(fmt::format("the fit{}{}: {}, {}: give --parameters", given.empty() ? "" : " of ", given,
+  throw UserError(fmt::format("the fit{}{} is {}: {}; give --parameters", given.empty() ? "" : " of ", given,
                               name(fit.status), fit.why));
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::array dither_claims{
           .derivation =
               "Every entry is compared with k/16, which is exact in binary. x has to be the value that the "
               "fifteen others leave over. Bayer's construction (each quarter is 4 times the smaller matrix "
-              "plus an entry of the 2 x 2 one) gives every rank a second time.",
+              "plus an entry of the 2 x 2 one) computes every rank in a second way.",
           .source = sources::pestana_volumes_2014},
     Claim{.id = "march-steps",
           .statement =

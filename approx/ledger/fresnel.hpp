@@ -82,8 +82,8 @@ inline constexpr std::array fresnel_claims{
                      {"f0", reference_f0},
                      {"far smaller", "0.5"}},
           .derivation =
-              "The largest relative error of each over c in [0, 1], at the roots of its derivative; far "
-              "smaller is read as at most half as large.",
+              "The largest relative error of each over c in [0, 1], at the roots of its derivative. We "
+              "read \"far smaller\" as: at most half as large.",
           .figure = "fresnel-errors",
           .source = sources::lagarde_2012},
     Claim{.id = "fresnel-exponent-sum",

@@ -41,8 +41,9 @@ inline constexpr std::array gloss_claims{
           .statement = "`exp(a) = exp2(a/ln 2)`",
           .inputs = {{"from", "-1000"}, {"to", "1000"}, {"steps", "40"}, {"agreement", "1e-45"}},
           .derivation =
-              "e = 2^(1/ln 2). Both sides at 50 digits: e^a by its series, 2^x without any logarithm, as the "
-              "product of the square roots of 2, of its root, .. that the binary digits of x name. Rounding "
+              "e = 2^(1/ln 2). Both sides at 50 digits: e^a by its series, 2^x without any logarithm, as a "
+              "product with one factor for each binary digit 1 of x: sqrt(2) for 1/2, its root for 1/4, and "
+              "so on. Rounding "
               "leaves |a| times 1e-50, hence the bound. The exponents are those that an SG of power 1000 "
               "meets.",
           .source = sources::lagarde_2012},

@@ -43,7 +43,7 @@ inline constexpr std::array harmonics_claims{
               "A light lights a diffuse surface by max(cos(theta), 0); n^2 coefficients keep its bands 0 .. "
               "n - 1. The moments, integrals of c P_l(c) over [0, 1], are 1/2, 1/3, 1/8: the bands hold 3/8, "
               "1/2 and 15/128 of the energy, the squared norm 2 pi/3, and add 1/4, 1/2 and 5/16 to the value "
-              "that faces the light. \"A little\" is read as at most a fifth of the energy. The mean over "
+              "that faces the light. We read \"a little\" as: at most a fifth of the energy. The mean over "
               "all directions is band 0 alone and is kept.",
           .source = sources::lagarde_2011_buffer},
 };

@@ -68,26 +68,27 @@ inline constexpr std::array lobe_claims{
             "With t = k y it is at t = x - (2/3 + x/4) x^2/k + ..",
         .figure = "lobe-errors",
         .source = sources::lagarde_2012},
-    Claim{.id = "sg-offset-one-low",
-          .statement =
-              "`exp((k+1)(c-1))` fits low specular powers nicely, and at high powers the +1 can be dropped",
-          .printed = {{"x", "1"}},
-          .inputs = {{"low from", "3"},
-                     {"low to", "15"},
-                     {"high from", "15"},
-                     {"high to", "100000"},
-                     {"nicely", "0.035"},
-                     {"accurate", "0.02"},
-                     {"subtle", "0.03"},
-                     {"used at", "5"}},
-          .derivation =
-              "Low powers are 3 to 15, for which the author's other post fits an offset. High powers are "
-              "those above, where that post calls the plain form accurate. Nicely is read as not poor: the "
-              "largest absolute error over c in [0,1] is at most 0.035. Can be dropped is read as: the two "
-              "forms differ by less than 0.03. The difference of sharpness a < b has a closed form, "
-              "(a/b)^(a/(b-a)) (b-a)/b. The post itself uses x = 1 at k = 5, for Fresnel.",
-          .figure = "lobe-errors",
-          .source = sources::lagarde_2011_adopting},
+    Claim{
+        .id = "sg-offset-one-low",
+        .statement =
+            "`exp((k+1)(c-1))` fits low specular powers nicely, and at high powers the +1 can be dropped",
+        .printed = {{"x", "1"}},
+        .inputs = {{"low from", "3"},
+                   {"low to", "15"},
+                   {"high from", "15"},
+                   {"high to", "100000"},
+                   {"nicely", "0.035"},
+                   {"accurate", "0.02"},
+                   {"subtle", "0.03"},
+                   {"used at", "5"}},
+        .derivation =
+            "Low powers are 3 to 15, for which the author's other post fits an offset. High powers are "
+            "those above, where that post calls the plain form accurate. We read \"nicely\" as not poor: "
+            "the largest absolute error over c in [0,1] is at most 0.035. We read \"can be dropped\" as: the two "
+            "forms differ by less than 0.03. The difference of sharpness a < b has a closed form, "
+            "(a/b)^(a/(b-a)) (b-a)/b. The post itself uses x = 1 at k = 5, for Fresnel.",
+        .figure = "lobe-errors",
+        .source = sources::lagarde_2011_adopting},
     Claim{.id = "sg-offset-matters-below",
           .statement =
               "from `k = 10` on the offsets `x = 0`, the published mean and 1 of `exp((k+x)(c-1))` differ "

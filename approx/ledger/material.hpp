@@ -35,19 +35,19 @@ inline constexpr std::array material_claims{
               "Decoded as for chart-dielectric. For bright values the functions are so close that two digits "
               "cannot tell them apart.",
           .source = sources::lagarde_2012_chart},
-    Claim{.id = "chart-range-typo",
-          .statement =
-              "the linear range of the specular of dielectrics is given twice and should end at the same "
-              "number; it ends at 0.067 where materials are explained, and at 0.063 where it is remapped to "
-              "`[0, 1]`",
-          .printed = {{"first", "0.067"}, {"second", "0.063"}},
-          .inputs = {{"code", "75"},
-                     {"convention", chart_convention},
-                     {"other conventions", other_chart_conventions}},
-          .derivation =
-              "The second number is judged against the first. Both are the upper end of the same chart, code "
-              "75. This code tells which of them is meant; the code of each number is shown too.",
-          .source = sources::pestana_workflows_2014},
+    Claim{
+        .id = "chart-range-typo",
+        .statement =
+            "the linear range of the specular of dielectrics ends at 0.063 where it is remapped to `[0, 1]`; "
+            "the same source gives 0.067 where materials are explained",
+        .printed = {{"first", "0.067"}, {"second", "0.063"}},
+        .inputs = {{"code", "75"},
+                   {"convention", chart_convention},
+                   {"other conventions", other_chart_conventions}},
+        .derivation =
+            "The second number is judged against the first. Both are the upper end of the same chart, code "
+            "75. This code tells which of them is meant; the code of each number is shown too.",
+        .source = sources::pestana_workflows_2014},
     Claim{.id = "chart-overlap",
           .statement =
               "the chart's ranges contain the ranges of common materials: dielectrics of 0.02 to 0.05 within "

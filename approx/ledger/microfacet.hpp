@@ -101,8 +101,8 @@ inline constexpr std::array microfacet_claims{
           .source = sources::heitz_2014},
     Claim{.id = "smith-borrowed",
           .statement =
-              "Blinn-Phong is commonly combined with Beckmann's `G1`, and GTR1 with GGX's: we test how far "
-              "the integral of `G1 D(m) max(v.m, 0)` then is from `v.n`",
+              "Blinn-Phong is commonly combined with Beckmann's `G1`, and GTR1 with GGX's. We test a claim "
+              "of ours: the integral of `G1 D(m) max(v.m, 0)` is still `v.n`, to within 2 %",
           .inputs = {{"blinn-phong", "beckmann"},
                      {"gtr1", "ggx"},
                      detail::roughnesses,
@@ -115,8 +115,8 @@ inline constexpr std::array microfacet_claims{
               "tan(theta_v)) for s = 2/alpha^2 - 2; Burley 2012 masks GTR1 by GGX's G1, there at a fixed "
               "width, here at GTR1's own. In the first case both lobes agree up to relative O(alpha^2), so "
               "it is good at low roughness. GTR1 has longer tails than GGX, and a grazing view sees mostly "
-              "the tails: GGX's G1 hides too little of them. At alpha = 1 GTR1 is GGX. Accurate is read as: "
-              "the integral is within that relative distance of v.n.",
+              "the tails: GGX's G1 hides too little of them. At alpha = 1 GTR1 is GGX. We read \"accurate\" "
+              "as: the integral is within that relative distance of v.n.",
           .source = sources::walter_2007},
 };
 

@@ -74,8 +74,8 @@ inline constexpr std::array normalisation_claims{
           .derivation =
               "Seen along the normal the reflectance is the ratio of the stand-in to the exact constant, "
               "which is 1 over the integral of the lobe by two rules; its largest distance from 1 is a root "
-              "of its slope, looked for on a grid of an eighth of a power of two from 2^-10 to 2^20. Close "
-              "is read as: within that input of 1 at every a. Closest at low powers is read as: the lower "
+              "of its slope, looked for on a grid of an eighth of a power of two from 2^-10 to 2^20. We "
+              "read \"close\" as: within that input of 1 at every a; \"closest at low powers\" as: the lower "
               "the power, the closer, at every a. At the other views the reflectance is the integral's, in "
               "circles around the lobe's axis; a stand-in above the exact constant reflects more than it "
               "receives.",
@@ -94,7 +94,7 @@ inline constexpr std::array normalisation_claims{
     Claim{.id = MicrofacetLobe::record.id,
           .statement =
               "the microfacet BRDF with the Blinn-Phong distribution has the constant `(a+2)/(8 pi)`, a "
-              "quarter of the distribution's; in a game's light unit, in which `pi` drops out, `(a+2)/8`",
+              "quarter of the distribution's; in a game, which multiplies the light by `pi`, it is `(a+2)/8`",
           .printed = {{"", MicrofacetLobe::record.printed}, {"in a game's light unit", "(a+2)/8"}},
           .inputs = {detail::normal_exponents, {"light unit", "pi"}},
           .derivation =

@@ -24,7 +24,7 @@ inline constexpr std::array von_mises_fisher_claims{
           .inputs = {{"about", "0.02"}, {"no longer about", "0.05"}, {"y", "0.001,1,2"}},
           .derivation =
               "sinh k = e^k (1 - e^(-2k))/2, so the ratio of this to the density is 1 - e^(-2k) at every "
-              "angle. It is too small by e^(-2k) of its value, most at the smallest k. About is read as "
+              "angle. It is too small by e^(-2k) of its value, most at the smallest k. We read \"about\" as "
               "within 2 %, which holds from k = ln(50)/2 on. A smaller k would be `conditional`, as the "
               "claim then holds only from there on, and `refuted` where more than 5 % are missing.",
           .source = sources::lagarde_2012},

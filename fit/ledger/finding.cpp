@@ -78,11 +78,11 @@ std::string effect_of_factor(double printed, double exact, std::string_view lead
   if (printed == exact) return "none";
   const double ratio = printed / exact;
   // nothing to add for a ratio to 1
-  const std::string itself =
-      exact == 1 ? "" : fmt::format(" (the value itself is off by {:.2g})", std::abs(printed - exact));
-  return sentence(effect_on_greys(ratio), "a linear grey",
-                  fmt::format("{}{}makes what it multiplies 1 {}{:.2g} times as large{}, which", lead,
-                              lead.empty() ? "" : " ", ratio < 1 ? "- " : "+ ", std::abs(ratio - 1), itself));
+  const std::string itself = exact == 1 ? "" : fmt::format(", or by {:.2g}", std::abs(printed - exact));
+  return sentence(
+      effect_on_greys(ratio), "a linear grey",
+      fmt::format("{}{}makes a factor too {} by {:.2g} of its value{}, which", lead, lead.empty() ? "" : " ",
+                  ratio < 1 ? "small" : "large", std::abs(ratio - 1), itself));
 }
 
 std::string none_because(std::string_view reason) {

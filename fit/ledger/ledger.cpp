@@ -64,7 +64,7 @@ std::string effect_elsewhere(FitCache& fits, const Published& published, const M
     from[parameter] = number_of(published.printed);
     worst.include(fits.family().effect(exponent, metric.domain, from, fit.parameters), {"k = ", exponent});
   }
-  return sentence(worst, "the curve", "the best number instead of the printed one");
+  return sentence(worst, "the curve", "using the best number instead of the printed one");
 }
 
 /// One printed number: its verdict and its part of the sentence.
@@ -75,7 +75,7 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
             fmt::format("{} rests on fits that did not converge", what_is_computed(published)), "none"};
   Finding finding{
       assessment->judgement.verdict, decimal(assessment->judgement.value, 10), what_is_computed(published),
-      sentence(assessment->effect, "the curve", "the computed number instead of the printed one")};
+      sentence(assessment->effect, "the curve", "using the computed number instead of the printed one")};
   if (published.statement == Statement::fit_somewhere) {
     const auto& range = assessment->holds_for;
     finding.evidence +=
@@ -84,8 +84,9 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
                     range->exactly, range->from, range->to)
               : " at no exponent of the sweep";
     // for a number without its exponent, the computed text names the exponents where it is right
-    finding.computed = range ? fmt::format("the best for k from {:.3g} to {:.3g}", range->from, range->to)
-                             : "the best at no k";
+    finding.computed =
+        range ? fmt::format("the best number, rounded, for k from {:.3g} to {:.3g}", range->from, range->to)
+              : "the best at no k";
     finding.effect = effect_elsewhere(fits, published, assessment->metric);
   } else {
     finding.evidence += fmt::format(" is {}", under_each_measure(fits, published, domain));

@@ -77,7 +77,7 @@ StudyAxis axis_of_range(const StudyRange& range) {
   if (range.lower.empty()) throw StudyFault(part, quoted(range.variable) + " needs a range: for example 0:1");
   const std::string label = quoted(range.variable + "=" + range.lower + ":" + range.upper);
   const double lower = number_of(part, range.lower), upper = number_of(part, range.upper);
-  if (!(lower < upper)) throw StudyFault(part, label + " is empty: it must rise");
+  if (!(lower < upper)) throw StudyFault(part, label + " is empty: its first end must be below its second");
   const Symbolic density = read(part, range.density, {.variables = {range.variable}}, label).formula;
   return {range.variable, lower, upper, density};
 }

@@ -16,7 +16,7 @@ void require_known(const std::string& id, const std::vector<std::string>& known,
   constexpr std::size_t most_listed = 30;  // in one line
   const auto known_ones = [&] {
     return known.size() <= most_listed ? "it must be one of " + fmt::format("{}", fmt::join(known, ", "))
-                                       : std::string("'shadefit list' names them");
+                                       : std::string("'shadefit list' prints all");
   };
   throw UserError("unknown " + what + " '" + id +
                   "': " + (nearest ? "did you mean '" + *nearest + "'?" : known_ones()));

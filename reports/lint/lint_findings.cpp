@@ -59,7 +59,9 @@ std::string numbers_words(const LintedSite& site) {
   std::string words;
   for (const LintedNumber& number : site.numbers) {
     if (number.grade == Grade::right) continue;
-    words += fmt::format("{}{} is {} here", words.empty() ? "" : ", ", number.published, number.text);
+    std::string_view published = number.published;
+    if (!number.text.starts_with('-') && published.starts_with('-')) published.remove_prefix(1);
+    words += fmt::format("{}{} instead of {}", words.empty() ? "" : ", ", number.text, published);
   }
   return words;
 }

@@ -183,8 +183,8 @@ std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain) {
   const double off = schlick->from_exact.absolute.magnitude, near = closest->from_schlick.absolute.magnitude;
   return fmt::format(
       "The Fresnel constants were fitted to Schlick's formula, which is itself off by up to {:.3g} in "
-      "reflectance on glass (n = {}). The published {} differs from Schlick's formula by at most {:.3g}: "
-      "{:.2g} times less than Schlick's formula differs from the exact reflectance. The published curve "
+      "reflectance on glass (n = {}). The published {} is at most {:.3g} from Schlick's formula. "
+      "Schlick's formula is up to {:.2g} times as far from the exact reflectance. The published curve "
       "closest to the exact reflectance of that glass is {}, off by {:.3g}.\n\n",
       off, glass.ior, published_text(*closest), near, off / near, published_text(*truest),
       truest->from_exact.absolute.magnitude);

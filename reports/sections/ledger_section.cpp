@@ -90,7 +90,7 @@ Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, St
 void add_forms_of_comparison(Table& list) {
   for (const FittableFamily& family : fittable_families()) {
     if (!family.info.is_comparison) continue;
-    std::vector<Cell> row{word(family.info.id), word("-"), word("a form of comparison, fit takes it")};
+    std::vector<Cell> row{word(family.info.id), word("-"), word("none: a form to compare with")};
     if (list.columns.size() == 4)
       row.insert(row.begin() + 2, fmt::format("{} ~ {}", to_text(family.target()), to_text(family.form())));
     list.rows.push_back(row);
@@ -118,7 +118,7 @@ std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::ve
       "The ledger is the list of every number and every testable statement of the sources. It holds {}. A "
       "printed number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is "
       "*confirmed* if it is true on the whole stated range. It is *conditional* if it is true only on a part "
-      "of that range, or only in one of several readings; the evidence says which. Otherwise it is "
+      "of that range, or only in one of several interpretations; the evidence says which. Otherwise it is "
       "*refuted*. Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the "
       "derivation.\n\n",
       verdict_counts(claims));

@@ -44,8 +44,7 @@ std::string news_section(const std::vector<JudgedClaim>& claims) {
   return fmt::format("## News\n\nWe judged {}. [How to read it](#how-to-read-it) explains the words.\n\n",
                      verdict_counts(claims)) +
          news_of(claims_with(claims, Verdict::refuted), "**Refuted:**") +
-         news_of(claims_with(claims, Verdict::conditional),
-                 "**Conditional:** true only for a part of the range, or only in one of several readings:");
+         news_of(claims_with(claims, Verdict::conditional), conditional_lead);
 }
 
 }  // namespace shadefit

@@ -30,7 +30,7 @@ std::string stand_in_words(const Results& results) {
   }
   return fmt::format(
       "`{0}`, `{1}`, stands in for `{2}`, and is judged by its ratio to it. {3} quotes Naty Hoffman: \"close "
-      "to 1\". We read that as within {4:g}. The ratio is 1 in the limits a = 0 and infinity. It is largest "
+      "to 1\". We read that as within {4:g}, so it is *confirmed* in this table. The ratio is 1 in the limits a = 0 and infinity. It is largest "
       "at a = {5:.6g}: {6:.10g}, which is {7:.3g} % too bright.\n\n{8}",
       record.id, record.printed, BlinnPhongBrdfLobe::record.printed, linked(record.source), record.closeness,
       exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
@@ -42,19 +42,20 @@ std::string microfacet_words(const Results& results) {
   if (!is_checked(results, record)) return "";
   return fmt::format(
       "`{}` is a quarter of `{}`. It has no integral of its own, so it is compared with the integral of four "
-      "times the distribution. In a game's light unit, which contains pi, it is `(a+2)/8`.\n\n",
+      "times the distribution. A game multiplies the light by pi; there the constant is `(a+2)/8`.\n\n",
       record.id, DistributionLobe::record.id);
 }
 
 }  // namespace
 
 std::string normalisation_section(const Results& results) {
-  std::string out =
+  std::string out = fmt::format(
       "## Normalisation, with view and normal aligned\n\n"
       "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two "
       "quadrature rules compute it: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative "
-      "difference below the tolerance is printed as 0. The estimated error is a bound: it covers the errors "
-      "of both rules, their difference, and the tail that is cut off.\n\n";
+      "difference below {:g} is printed as 0. The estimated error is a bound: it covers the errors "
+      "of both rules, their difference, and the tail that is cut off.\n\n",
+      normalisation_tolerance);
   Table lobes{{"constant", "lobe", "printed", "typeset", "source"}};
   for (const Normalisation& record : normalisations) {
     if (!is_checked(results, record)) continue;

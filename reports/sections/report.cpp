@@ -19,8 +19,9 @@ constexpr std::string_view how_to_read =
     "A verdict compares the printed digits with the computed number:\n\n"
     "- *confirmed*: all printed digits are right.\n"
     "- *rounding*: the last digit is off by one.\n"
-    "- *other-objective*: another named metric or convention gives the printed digits.\n"
-    "- *conditional*: right only for a part of the range, or only in one of several readings.\n"
+    "- *other-objective*: the measure of the row (`cosine` where it names none) does not give the printed digits, but "
+    "another named metric or convention does.\n"
+    "- *conditional*: right only for a part of the range, or only in one of several interpretations of the words.\n"
     "- *refuted*: no metric or convention gives the printed digits.\n\n"
     "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs "
     "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the "
@@ -28,7 +29,8 @@ constexpr std::string_view how_to_read =
     "it makes the integral of the squared absolute error, weighted by the measure, smallest. The digits of a "
     "fit are those that the last Newton step in wider arithmetic no longer changes, at most 14. An effect is "
     "the largest change between two numbers or formulas: in 8-bit sRGB codes, as an absolute error, as a "
-    "relative error (of values from 1/255 on), and in steps of a half float (ulps).\n\n";
+    "relative error (of values from 1/255 on; 2 is twice the value), and in steps of a half float (ulps). Each of these "
+    "is the largest of its kind; their places differ.\n\n";
 
 /// The publications that the records of these results cite, by year.
 std::string sources_section(const Results& results) {
@@ -77,13 +79,15 @@ std::string write_summary(const Results& results) {
   std::string out = "# shadefit summary\n\n";
   if (!results.claims.empty()) out += fmt::format("{}.\n\n", verdict_counts(results.claims));
   out += exact_fresnel_headline(results.fresnel_chain);
-  for (const Verdict verdict : {Verdict::refuted, Verdict::conditional}) {
+  const auto append = [&](Verdict verdict, std::string_view lead) {
     const auto claims = claims_with(results.claims, verdict);
-    if (!claims.empty()) out += markdown_block(claims_overview(claims));
-  }
+    if (!claims.empty()) out += fmt::format("{}\n\n{}", lead, markdown_block(claims_overview(claims)));
+  };
+  append(Verdict::refuted, "**Refuted:**");
+  append(Verdict::conditional, conditional_lead);
   const Table constants = summary_table(results);
-  if (!constants.rows.empty()) out += markdown_block(constants);
-  return with_short_lines(out) + "More: report.md.\n";
+  if (!constants.rows.empty()) out += "**Constants:**\n\n" + markdown_block(constants);
+  return with_short_lines(out) + "More, and what the words mean: report.md.\n";
 }
 
 std::string write_latex_tables(const Results& results) {

@@ -15,6 +15,10 @@ namespace shadefit {
 /// evidence, and the effect on a picture.
 std::string news_section(const std::vector<JudgedClaim>& claims);
 
+/// Stands above a list of conditional claims.
+inline constexpr std::string_view conditional_lead =
+    "**Conditional:** true only for a part of the range, or only in one interpretation of the words:";
+
 /// The claims with a verdict, in the order of the ledger.
 std::vector<JudgedClaim> claims_with(const std::vector<JudgedClaim>& claims, Verdict verdict);
 

@@ -38,8 +38,10 @@ std::string trials_text(const StudyJudgement& judgement) {
     return fmt::format("Fits tried: {}. The fit has no error: its constants are those of the target",
                        judgement.tried);
   if (judgement.verdict == Verdict::refuted)
-    return fmt::format("Fits tried: {}. The nearest, {}, is off by {} {} of a last digit", judgement.tried,
-                       judgement.objective, judgement.units_off, judgement.units_off == 1 ? "unit" : "units");
+    return fmt::format(
+        "Fits tried: {}. The nearest is {}: its worst constant is off by {} {} of the last digit",
+        judgement.tried, judgement.objective, judgement.units_off,
+        judgement.units_off == 1 ? "unit" : "units");
   // A power of ten: its exact value is an estimate.
   std::string text = fmt::format("Fits tried: {}. Expected to have these digits by chance: at most {:g}",
                                  judgement.tried, std::pow(10.0, std::ceil(std::log10(judgement.chance))));
@@ -87,7 +89,7 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
   const StudyContender* all = better_with_all_properties(comparison, published);
   if (all != nullptr && all != best) append("With all properties of the target: ", *all);
   if (least != nullptr && least != best)
-    lines.push_back(fmt::format("Smaller yet: {}; it loses: {}", words(*least),
+    lines.push_back(fmt::format("The smallest error: {}. This fit loses: {}", words(*least),
                                 to_text(lost_properties(published.properties, least->properties))));
 }
 
@@ -108,7 +110,7 @@ std::vector<std::string> study_statement(const StudyFile& file) {
     if (!file.study.rows)
       lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
                                   range.density == "1" ? "" : ", density " + range.density));
-  lines.push_back("Asked for: " + objective_of(file.study, file.norm, file.constraints).words);
+  lines.push_back("The study asks for: " + objective_of(file.study, file.norm, file.constraints).words);
   if (file.has_weight) lines.push_back("Weight of the error: " + file.study.weight);
   for (const StudyForm& form : file.forms) lines.push_back(fmt::format("Form {}: {}", form.id, form.formula));
   return lines;
@@ -123,7 +125,7 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     lines.push_back(fmt::format("Verdict: {}", verdict_in_words(*contender->judgement)));
     lines.push_back(trials_text(*contender->judgement));
     lines.push_back("Properties of the target that it keeps: " + text_with_proofs(contender->properties));
-    lines.push_back("Largest change of the target: " + effect_text(comparison, *contender));
+    lines.push_back("Largest difference from the target: " + effect_text(comparison, *contender));
     if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));
     if (!contender->unproven.empty()) lines.push_back("Largest error, sampled: " + contender->unproven);
     append_better(comparison, *contender, lines);

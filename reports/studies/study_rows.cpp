@@ -174,7 +174,7 @@ std::string verdict_in_words(const StudyJudgement& judgement) {
 }
 
 std::string verdict_text(const StudyJudgement& judgement) {
-  return fmt::format("{} ({} tried)", verdict_in_words(judgement), judgement.tried);
+  return fmt::format("{} ({} fits tried)", verdict_in_words(judgement), judgement.tried);
 }
 
 std::string short_source(const std::string& source) {

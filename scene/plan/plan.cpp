@@ -216,7 +216,7 @@ class Planner {
     decide("culling", Treatment::keep,
            lobes_.is_textured() ? "where n.h < " + decimal_below(least, 3) + " or the lobe < 2^" +
                                       decimal(plan_.shading.least_exponent, 3)
-                                : "where n.h < " + decimal_below(least, 3) + " or more, by material",
+                                : "where n.h < " + decimal_below(least, 3) + " (higher for some)",
            "a light adds less there", spent);
   }
 

@@ -393,9 +393,15 @@ TEST(BadInput, Usage) {
   expect_refusal(
       {"fit"},
       "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
-  expect_refusal({"explain"}, "id is required" + see(" explain"));
-  expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + see(" run"));
-  expect_refusal({"list", "nowhere"}, "'nowhere' is in no id: 'shadefit list' has them all");
+  expect_refusal(
+      {"explain"},
+      "explain needs CLAIM: a claim (see 'shadefit list'), a constant of one, or a study" + see(" explain"));
+  expect_refusal({"run", "--outt", "x"}, "unknown option '--outt': did you mean '--out'?" + see(" run"));
+  expect_refusal({"run", "--zzzzzz", "x"}, "unknown option '--zzzzzz'" + see(" run"));
+  expect_refusal(
+      {"explain", "sg-offset"},
+      "'sg-offset' is a family, not a claim: see 'shadefit list --family sg-offset' and 'shadefit better sg-offset'");
+  expect_refusal({"list", "nowhere"}, "no id contains 'nowhere': 'shadefit list' prints all ids");
   expect_refusal({"list", "missing.toml"}, "cannot read 'missing.toml': there is no such file");
   expect_refusal({"list", "schlick", "more"}, "unexpected argument 'more'" + see(" list"));
   expect_refusal({"run", "--out"}, "--out needs a value: DIR" + see(" run"));

@@ -101,7 +101,7 @@ TEST(StudyCommand, SaysWhatDidNotConverge) {
   const Outcome outcome =
       run_command_line({"fit", "--target", "abs(x)", "--form", "exp(-4 (x - m)^2)", "--over", "x=-1:1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("shadefit: the fit: ambiguous, another curve is as good\nshadefit: m = "),
+  EXPECT_NE(outcome.err.find("shadefit: the fit is ambiguous: another curve is as good\nshadefit: m = "),
             std::string::npos)
       << outcome.err;
 }
@@ -116,7 +116,7 @@ TEST(StudyCommand, RefusesBadInput) {
   expect_refusal(with(acos_linear, {"fresnel-quadratic"}),
                  "'fresnel-quadratic' does not go with --form: leave the family out");
   expect_refusal(with(acos_linear, {"--exponent", "5"}),
-                 "--exponent does not go with --form: name it in the formulas and give it by "
+                 "--exponent does not go with --form: write it as a name in the formulas, and set that by "
                  "--given");
   expect_refusal(with(acos_linear, {"--domain", "0.2:1"}),
                  "--domain does not go with --form: give the range by --over");

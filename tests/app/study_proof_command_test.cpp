@@ -149,8 +149,9 @@ TEST(CertifyStudy, RefusesBadInput) {
                  "--form needs --over, a variable and its range: for example --over x=0:1");
   expect_refusal(with(acos_linear, {"--over", "y=0:1", "--over", "z=0:1", "--over", "t=0:1"}),
                  "--over 't': a study has at most three variables");
-  expect_refusal(with(acos_linear, {"--exponent", "5"}),
-                 "--exponent does not go with --form: name it in the formulas and give it by --given");
+  expect_refusal(
+      with(acos_linear, {"--exponent", "5"}),
+      "--exponent does not go with --form: write it as a name in the formulas, and set that by --given");
   expect_refusal(given({"--norm", "minimax"}), "--norm does not go with --parameters: nothing is fitted");
   expect_refusal(given({"--start", "a=1"}), "--start does not go with --parameters: nothing is fitted");
   expect_refusal(given({"--fix", "a=1"}), "--fix does not go with --parameters: nothing is fitted");
@@ -168,7 +169,7 @@ TEST(CertifyStudy, RefusesBadInput) {
                   "--out", "x.json"},
                  "--out 'x.json' takes one certificate, not 2: give one value of each --given");
   expect_refusal({"certify", "--target", "abs(x)", "--form", "exp(-4 (x - m)^2)", "--over", "x=-1:1"},
-                 "the fit: ambiguous, another curve is as good: give --parameters");
+                 "the fit is ambiguous: another curve is as good; give --parameters");
   const TemporaryDirectory directory;
   const std::string rows = directory.file("rows.csv", "x,value\n0,1\n1,2\n2,2\n");
   expect_refusal({"certify", "--table", rows, "--form", "a x + b", "--over", "x"},

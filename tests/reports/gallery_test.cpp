@@ -204,11 +204,11 @@ TEST(Gallery, ShowsGreysWhereTheyAreSeen) {
   EXPECT_NE(page.find("As greys"), std::string::npos);
   EXPECT_NE(page.find("fill=\"rgb(255,255,255)\""), std::string::npos) << "the target at 1";
   // The largest change is 0.2, at 1/2: the sRGB code of 0.45 is 178.7, that of 0.25 is 136.96.
-  EXPECT_NE(page.find("of the target: 0.2 (as a linear grey "), std::string::npos);
+  EXPECT_NE(page.find("from the target: 0.2 (as a linear grey "), std::string::npos);
   entry.file.is_encoded = true;
   entry.comparisons = {compare_study(entry.file, entry.file.study)};
   const std::string encoded = judged_study(entry).page;
-  EXPECT_NE(encoded.find("of the target: 0.2 (51 codes of 8 bits, "), std::string::npos) << "0.2 of 255";
+  EXPECT_NE(encoded.find("from the target: 0.2 (51 codes of 8 bits, "), std::string::npos) << "0.2 of 255";
   EXPECT_NE(encoded.find("255 times a value is its code"), std::string::npos);
   entry.file.study.target = "x^2 + 3";
   entry.comparisons = {compare_study(entry.file, entry.file.study)};

@@ -25,7 +25,7 @@ TEST(News, RefutedClaimsComeFirstAndConfirmedOnesNotAtAll) {
       "**Refuted:**\n\n"
       "- [`x-claim`](#first-topic) (Author 2012): a is b.\n"
       "  - Found: it is 1.6. The rest is 2.\n  - Effect: by 3 codes.\n\n"
-      "**Conditional:** true only for a part of the range, or only in one of several readings:\n\n"
+      "**Conditional:** true only for a part of the range, or only in one interpretation of the words:\n\n"
       "- [`x-claim`](#first-topic) (Author 2012): a is b.\n"
       "  - Found: 1.6.\n  - Effect: by 3 codes.\n\n");
 }

@@ -69,9 +69,8 @@ Range exponents_that_give(std::string_view printed, double code) {
 }
 
 std::string exponents_sentence(const Range& range) {
-  if (!(range.from <= range.to)) return "no power of code/255 gives both";
-  return fmt::format("a power of code/255 gives both numbers for exponents from {:.4g} to {:.4g}", range.from,
-                     range.to);
+  if (!(range.from <= range.to)) return "(code/255)^p gives both numbers for no p";
+  return fmt::format("(code/255)^p gives both numbers for p from {:.4g} to {:.4g}", range.from, range.to);
 }
 
 /// Two printed linear values against the codes "from code" and "to code".
@@ -104,7 +103,7 @@ Finding chart_range(const Claim& claim) {
   return {is_other ? Verdict::other_objective : worst(verdicts),
           fmt::format("{}, {} under {}", computed[0], computed[1], convention.name),
           sentences({values[0], values[1],
-                     fmt::format("both printed numbers have all their digits under {}",
+                     fmt::format("both printed numbers are right in all digits under {}",
                                  names.empty() ? "no convention of these" : enumerated(names)),
                      exponents_sentence(exponents)}),
           sentences(effects)};
@@ -121,10 +120,11 @@ Finding chart_range_given_twice(const Claim& claim) {
   });
   return {
       judge(printed_second, {std::string(printed_first), first}, {}).verdict,
-      fmt::format("{:.7g} under {}", conventions.front().linear(code), conventions.front().name),
+      fmt::format("{}; code {:.6g} is {:.7g} under {}", printed_first, code, conventions.front().linear(code),
+                  conventions.front().name),
       fmt::format(
           "{} is {} of its last digit from {}. Code {:.6g} is {}, closer to {} under {} of {} conventions. "
-          "In codes, {} is {}. In codes, {} is {}",
+          "The linear value {} is code {}. The linear value {} is code {}",
           printed_second, counted(units_off(printed_second, first), "unit"), printed_first, code,
           linear_under_each(conventions, code), printed_first, closer_to_first, conventions.size(),
           printed_first, code_under_each(conventions, first), printed_second,

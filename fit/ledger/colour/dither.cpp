@@ -118,7 +118,8 @@ March plain_marches(const std::vector<double>& counts) {
       enumerated(parts),
       march.verdict == Verdict::confirmed ? "smaller with each larger count"
                                           : "not smaller with each larger count",
-      worst_share > 0 ? fmt::format(". But going {} makes {:.4g} of the edges worse", worst_pair, worst_share)
+      worst_share > 0 ? fmt::format(". But going {} makes the error larger for {:.4g} of the edges",
+                                    worst_pair, worst_share)
                       : "");
   return march;
 }
@@ -135,8 +136,8 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
                   : noisy < rival        ? Verdict::confirmed
                                          : Verdict::conditional;
   march.sentence = fmt::format(
-      "{:.4g} after the blur and {:.4g} before it (plain steps have {:.4g} and {:.4g} times the error)",
-      blurred.rms, noisy, rival / blurred.rms, rival / noisy);
+      "{:.4g} after the blur (plain steps have {:.4g} times that) and {:.4g} before it ({:.4g} times)",
+      blurred.rms, rival / blurred.rms, noisy, rival / noisy);
   return march;
 }
 
@@ -204,7 +205,7 @@ Finding bilateral_epsilon(const Claim& claim) {
                                          : Verdict::refuted;
   const std::string black = decimal(1 / falloff, 4);
   return {
-      verdict, fmt::format("for W above {:.4g}", limit),
+      verdict, fmt::format("true for a sum of weights W above {:.4g}", limit),
       fmt::format(
           "on a flat surface (W = {:.6g}) white loses {:.3g}, which is {:.2g} codes{}. White loses less than "
           "{:.3g} codes for W above {:.4g} (taps less than {:.6g} away in depth). It loses less than "

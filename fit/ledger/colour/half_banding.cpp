@@ -149,14 +149,14 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
   found.computed = fmt::format("steps of {}", enumerated(steps));
   found.evidence = fmt::format(
       "at power {} their largest steps are {} codes, and {} of the 256 codes are shown. At power {:.4g} "
-      "the largest steps are {} codes. All whole powers from 1 to {:.6g} were tried: the first that bands is "
-      "{}",
+      "the largest steps are {} codes. All whole powers from 1 to {:.6g} were tried. The first that bands is "
+      "{}, in the order of the forms",
       claim.printed[0].value, enumerated(steps), enumerated(codes), low, enumerated(low_steps), last,
       enumerated(first));
   for (const RoundedForm& form : rounded_forms) {
     if (half_cosine || !never_bands(form, visible, last)) continue;
     found.evidence +=
-        fmt::format(" (none: its roundings change the curve by at most {:.2g} codes at each of these powers)",
+        fmt::format(" (none: rounding changes such a curve by at most {:.2g} codes at each of these powers)",
                     largest_step_of_roundings(form.relative_roundings, last));
     break;  // the same for all of them
   }

@@ -83,7 +83,7 @@ Finding gaussian_at_zero(const Claim& claim) {
       verdict,
       fmt::format("{}; the exact value is 10^{:.7g}", split_list(zero, "0", nonzero, "not 0"), magnitude),
       fmt::format(
-          "{} is exactly 10^{:.7g}, but a computer gives {}. exp(-k) stays above 0 up to k = {} in {}; "
+          "{} is 10^{:.7g}, not 0, but a computer gives {}. exp(-k) stays above 0 up to k = {} in {}; "
           "where subnormals are flushed, up to about k = {}. 0^{:.6g} is {}0 in each. At c = 0 the "
           "Gaussian of a highlight with peak 1 leaves at least one 8-bit sRGB code only up to power {:.3g}",
           value, magnitude, split_list(zero, "0", nonzero, "not 0"), enumerated(last), enumerated(formats),
@@ -189,16 +189,16 @@ Finding nan_at_zero(const Claim& claim) {
   const std::array parts{verdict_of_cases(nan, formats.size() * exponents.size()),
                          verdict_of_cases(safe.size(), formats.size())};
   return {
-      worst(parts), fmt::format("NaN for {}, 0 for {}", of_nan, of_zero),
+      worst(parts), fmt::format("NaN for {}; 0 for {}", of_nan, of_zero),
       fmt::format(
-          "exp2(log2(0) b) is NaN for {} and has the right value, 0, for {} in {}. exp2(A c - A) is not "
+          "exp2(log2(0) b) is NaN for {}, and it is 0, the right value, for {}, in {}. exp2(A c - A) is not "
           "NaN while A = k/ln 2 is finite: up to k = {}. That covers the powers up to {:.6g} in {}{}{}. "
-          "For a power above 0 and up to {:.5g} every pixel has a value. For other powers some pixels are NaN: "
-          "filters spread it, and a fixed-point target stores it as 0",
+          "For a power above 0 and up to {:.5g} every pixel has a value. For other powers some pixels are NaN. "
+          "A filter spreads a NaN to other pixels, and a fixed-point target stores it as 0",
           of_nan, of_zero, enumerated(formats), enumerated(last), largest,
           safe.empty() ? "none of them" : enumerated(safe),
-          is_nan ? ". Beyond, it is NaN at c = 0, 0.5 and 1" : "",
-          is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "", least),
+          is_nan ? ". Where A overflows it is NaN at c = 0, 0.5 and 1" : "",
+          is_peak_alone ? "; exp2(A (c - 1)) is NaN at c = 1 alone" : "", least),
       sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
                           "NaN stored as 0, exp2(log2(0) b)"),
                  sentence(lost, "the curve", "exp2(A c - A)")})};

@@ -37,9 +37,9 @@ Finding evaluate_lambert(const Claim& claim) {
           "at {} from {:.6g} to {:.6g}; the formula of the mean texel and the closed form of a face agree "
           "{}. The lobe of power "
           "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
-          "integral, its peak is {:.3g} times as bright",
+          "integral, the lobe of power {:.6g} has a peak {:.3g} times as bright",
           lobe_solid_angle(found), found, counted(std::ssize(widths), "width"), widths.front(), widths.back(),
-          within(apart, claim.inputs.at("tolerance")), printed, lobe_solid_angle(printed), beyond,
+          within(apart, claim.inputs.at("tolerance")), printed, lobe_solid_angle(printed), beyond, found,
           lobe_solid_angle(printed) / lobe_solid_angle(found)),
       gap <= tolerance
           ? "none"

@@ -183,7 +183,7 @@ Finding exp2_identity(const Claim& claim) {
   return {
       verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
       fmt::format("at {} a in {} both sides {}, relative. The test computes 2^x from square roots of 2 only",
-                  counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
+                  counted(std::ssize(all), "value"), domain(claim), sides.words(claim))};
 }
 
 Finding normalised_mad(const Claim& claim) {
@@ -233,7 +233,7 @@ Finding log2_first(const Claim& claim) {
           "at {} a = 2^u the sides {}. log2(a ln 2) - log(a) is {:.4g} at a = 2^{:.6g}, {:.4g} at a = "
           "2^{:.6g} and 0 only at a = {:.6g}. exp(k log(c)) with this logarithm peaks at {:.3g}^k instead "
           "of 1: the higher the power, the darker the highlight",
-          counted(std::ssize(all), "place"), sides.words(claim), rounded(excess(all.front())),
+          counted(std::ssize(all), "value"), sides.words(claim), rounded(excess(all.front())),
           rounded(all.front()), rounded(excess(all.back())), rounded(all.back()),
           rounded(misprinted_log_is_right_at<Decimal50>()), peak),
       sentence(effect_of_misprinted_log(), "the curve", "at k = 1, c^k computed with this logarithm")};
@@ -256,7 +256,7 @@ Finding log2_second(const Claim& claim) {
       fmt::format(
           "at a = 2^u and 2^u/3, for {} u in {}, both sides {}, relative to the larger of 1 and themselves. "
           "The test computes log2 by repeated squaring only",
-          counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
+          counted(std::ssize(all), "value"), domain(claim), sides.words(claim))};
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ Finding evaluate_mip_select(const Claim& claim) {
   const std::string_view steps = claim.inputs.at("gloss steps that count as found");
   const double found = printed.wanted * printed.worst_ratio;
   return {
-      verdict, fmt::format("found / wanted = {:.4g} at worst", printed.worst_ratio),
+      verdict, fmt::format("at worst {:.4g} times the wanted power", printed.worst_ratio),
       fmt::format(
           "among {} the shader finds the power within {} at {}. The worst is code {}: it finds {:.4g} "
           "instead of {:.4g}, a factor of {:.4g}. A shader that multiplies by levels - 1 = {:.3g} finds the "

@@ -228,7 +228,7 @@ Finding evaluate_loss(const Claim& claim) {
   return {
       worst(parts), fmt::format("energy kept = {} and {}", as_fraction(few.energy), as_fraction(more.energy)),
       fmt::format(
-          "{}. {}. The closed forms and two rules agree {}. A little is read as at most {:.3g} of the "
+          "{}. {}. The closed forms and two rules agree {}. We read 'a little' as: at most {:.3g} of the "
           "energy. An error below one 8-bit sRGB code facing the light would take {:.6g} coefficients. "
           "Facing the light white drops by {:.3g} codes with {} coefficients and is too bright by {:.3g} % "
           "with {}",

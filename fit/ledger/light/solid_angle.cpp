@@ -133,12 +133,14 @@ Finding evaluate_lobe(const Claim& claim) {
   const std::string_view tolerance = claim.inputs.at("tolerance");
   Agreement agreement;
   for (const double exponent : exponents) compare_lobe(exponent, agreement);
-  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
-          fmt::format(
-              "two rules agree with the form {}, relative, at {} {}. At the ends the lobe covers {:.10g} and "
-              "{:.10g} sr",
-              within(agreement.gap, tolerance), counted(std::ssize(exponents), "power"), from_to(exponents),
-              lobe_solid_angle(exponents.front()), lobe_solid_angle(exponents.back()))};
+  return {
+      agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
+      fmt::format(
+          "two rules agree with the form {}, relative, at {} {}. The lobe covers {:.10g} sr at power {:.6g} "
+          "and {:.10g} sr at power {:.6g}",
+          within(agreement.gap, tolerance), counted(std::ssize(exponents), "power"), from_to(exponents),
+          lobe_solid_angle(exponents.front()), exponents.front(), lobe_solid_angle(exponents.back()),
+          exponents.back())};
 }
 
 Finding evaluate_texel(const Claim& claim) {
@@ -168,12 +170,11 @@ Finding evaluate_texel(const Claim& claim) {
           "a face covers {:.10g} sr. {:.6g}^2 mean texels cover the same {}. The corner texel covers {:.6g} "
           "times the mean and a texel at the centre {:.6g} times; for small texels these are {:.6g} and "
           "{:.6g}, "
-          "and the corner covers {:.6g} of the centre. With 1 or 2 texels per side all are equal. A level "
-          "chosen for "
-          "the mean is too coarse by {} at the centre of a face and too fine by {} in its corners, as if "
-          "the power were {:.3g} and {:.3g} times as high",
+          "and the corner covers {:.6g} times what the centre covers. With 1 or 2 texels per side all are equal. A "
+          "level chosen for the mean is {} levels too coarse at the centre of a face, as if the power were {:.3g} "
+          "times as high. In the corners it is {} levels too fine, as if the power were {:.3g} times as high",
           face.value, edge, within(of_face.gap, tolerance), corner, centre, corner_limit, centre_limit,
-          corner_limit / centre_limit, level_shift(centre), level_shift(corner), 1 / centre, 1 / corner),
+          corner_limit / centre_limit, level_shift(centre), 1 / centre, level_shift(corner), 1 / corner),
       is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
                               effect_of_texel(mean, corner, "in its corner")})
                  : "none"};

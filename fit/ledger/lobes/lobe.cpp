@@ -243,7 +243,7 @@ Finding offset_one_low(const Claim& claim) {
   const std::string x = fmt::format("x = {:.4g}", offset);
   return {
       worst(parts),
-      fmt::format("x fits low powers {}, can be dropped {}", sentence(fits, low),
+      fmt::format("{} fits low powers {}; it can be dropped {}", x, sentence(fits, low),
                   sentence(gap.is_subtle, high)),
       fmt::format(
           "{} the largest absolute error of {} is {:.3g} at k = {:.4g}, {:.3g} at {:.4g}, where the post "
@@ -281,7 +281,8 @@ Finding offset_matters(const Claim& claim) {
   }
   const auto widest = *std::ranges::max_element(gaps, {}, [&](const OffsetGap& gap) { return gap.at(from); });
   return {
-      verdict_of_cases(static_cast<std::size_t>(held), gaps.size()), fmt::format("from k = {:.4g} on", start),
+      verdict_of_cases(static_cast<std::size_t>(held), gaps.size()),
+      fmt::format("all three differ subtly from k = {:.4g} on", start),
       fmt::format(
           "{} these pairs of forms differ by less than {:.3g}: {}. All three pairs do so from k = {:.4g} on. "
           "The same pairs, in the same order, differ by at most one 8-bit sRGB code {}",

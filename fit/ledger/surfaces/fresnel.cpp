@@ -245,13 +245,15 @@ Finding relative_errors(const Claim& claim) {
       verdict_of(ratio <= far_smaller), decimal(ratio, 4),
       fmt::format(
           "the largest relative error of F is {:.4g} (c = {:.4g}) with the pair (a, b) and {:.4g} (c = {:.4g}) "
-          "with exp2(-{} c): {:.3g} times as much. Far smaller is read as: at most {} times as large. But "
+          "with exp2(-{} c): {:.3g} times as much. We read 'far smaller' as: at most {} times as large. But "
           "at some angles the one-term form is closer: {}. In 8-bit sRGB codes the pair (a, b) is off by up to "
-          "{:.3g} and the one-term form by up to {:.3g}. With a limit of one code the pair (a, b) would {} and "
-          "the one-term form would {}",
+          "{:.3g} and the one-term form by up to {:.3g}. Within one code: {}",
           small.magnitude, small.at.cos_theta, large.magnitude, large.at.cos_theta, claim.inputs.at("A"),
           1 / ratio, claim.inputs.at("far smaller"), ranges_in_words(closer, 4), small_codes, large_codes,
-          small_codes <= 1 ? "pass" : "fail", large_codes <= 1 ? "pass" : "fail"),
+          small_codes > 1 && large_codes > 1     ? "neither"
+          : small_codes <= 1 && large_codes <= 1 ? "both"
+          : small_codes <= 1                     ? "the pair"
+                                                 : "the one-term form"),
       sentences(
           {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
            sentence(effect_on_reflectance(pair, f0), "it", "the pair (a, b)")})};
@@ -266,8 +268,8 @@ Finding exponent_sum(const Claim& claim) {
   const Verdict of_best = judge(printed, {"", best}, {}).verdict;
   return {verdict, decimal(sum, 10),
           fmt::format(
-              "a + b is {:.10g} for the printed pair. For the unrounded optimum it is {:.10g}: against that "
-              "the printed number is {}",
+              "a + b is {:.10g} for the printed pair. For the unrounded optimum it is {:.10g}: the printed "
+              "number is {} for that too",
               sum, best, name(of_best)),
           effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum), "at c = 1 it")};
 }

@@ -252,14 +252,16 @@ LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<dou
   return {holds_up_to(at_roughness, widths.roughness, by_roughness), holds_up_to(at_view, views, by_view)};
 }
 
-std::string words(const LoanRange& range, double allowed) {
-  const std::string by_roughness =
-      range.roughness ? fmt::format("at all of these views up to roughness {:.4g}", *range.roughness)
-                      : "at no roughness for all of these views";
+std::string words(const LoanRange& range, const Widths& widths, double allowed) {
   const std::string by_view =
-      range.view_angle ? fmt::format("at all of these roughnesses up to {:.4g} degrees", *range.view_angle)
+      range.view_angle ? fmt::format("up to {:.4g} degrees for all of these roughnesses", *range.view_angle)
                        : "at no view for all of these roughnesses";
-  return fmt::format("within {:.4g} of 1 {}, and {}", allowed, by_roughness, by_view);
+  return range.roughness
+             ? fmt::format("within {:.4g} of 1 up to roughness {:.4g} for all of these views, and {}",
+                           allowed, *range.roughness, by_view)
+             : fmt::format(
+                   "within {:.4g} of 1 {}; for some of these views it is not, already at roughness {:.4g}",
+                   allowed, by_view, widths.roughness.front());
 }
 
 /// "1, 1.003 and 1.77": the ratios at the flattest view, by roughness.
@@ -291,7 +293,8 @@ Finding loan(std::string_view distribution, const Claim& claim) {
           "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, "
           "the ratio is {}",
           distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness,
-          worst.view_angle, words(range, accurate), words(range_of(pair, widths, angles, table, code), code)),
+          worst.view_angle, words(range, widths, accurate),
+          words(range_of(pair, widths, angles, table, code), widths, code)),
       effect_of_masking(worst, distribution)};
 }
 

@@ -188,10 +188,9 @@ Finding constant_at_every_view(const Claim& claim) {
                   range_in_words(angles, "view angle"), range_in_words(exponents, "exponent"), plain.words);
   if (plain.value != with_cosine.value)
     finding.evidence += fmt::format(", with n.l at most {}", with_cosine.words);
-  finding.evidence +=
-      fmt::format("{}{}{} (two ways that agree within {:.1g})", ". It falls to ", lowest_of(curves).words,
-                  creates_energy ? ": it creates energy" : ": it creates no energy",
-                  std::max(error, reflectance_tolerance));
+  finding.evidence += fmt::format("{}. Its smallest reflectance is {} (two ways that agree within {:.1g})",
+                                  creates_energy ? ": it creates energy" : ": it creates no energy",
+                                  lowest_of(curves).words, std::max(error, reflectance_tolerance));
   return finding;
 }
 
@@ -249,7 +248,7 @@ std::string within_one_code(const CheapRatio& ratio, double place) {
   std::vector<std::string> ranges;
   if (up_to) ranges.push_back(fmt::format("up to a = {:.4g}", std::exp2(*up_to)));
   if (from) ranges.push_back(fmt::format("from a = {:.4g} on", std::exp2(*from)));
-  return fmt::format("within {:.4g}, one 8-bit sRGB code, {}", code,
+  return fmt::format("It is within one 8-bit sRGB code ({:.4g}) {}", code,
                      ranges.empty() ? std::string("nowhere") : enumerated(ranges));
 }
 
@@ -282,10 +281,11 @@ std::string closest_in_words(const CheapRatio& ratio, double furthest, double lo
   if (verdict == Verdict::confirmed) return "The lower the power, the closer it is";
   if (verdict == Verdict::refuted) return "It does not get closer with each lower power";
   const auto from = close_up_to(ratio, grid_last, furthest, ratio.distance(std::log2(low)));
-  return fmt::format("The lower the power, the closer the ratio is to 1, but only below that a: {}{:.4g}",
-                     from ? fmt::format("from a = {:.4g} on it is closer than at a = ", std::exp2(*from))
-                          : std::string("nowhere beyond it stays closer than at a = "),
-                     low);
+  return fmt::format(
+      "Below that a, a lower power has a ratio closer to 1. Above it this fails: {}{:.4g}",
+      from ? fmt::format("from a = {:.4g} on the ratio is closer to 1 than at a = ", std::exp2(*from))
+           : std::string("but nowhere there the ratio stays closer to 1 than at a = "),
+      low);
 }
 
 Finding cheap_constant(const Claim& claim) {
@@ -306,7 +306,7 @@ Finding cheap_constant(const Claim& claim) {
       fmt::format("up to {:.10g} times the exact constant", 1 + ratio(place)),
       fmt::format(
           "the ratio of {} to {} (1 over the integral of the lobe, at {}) is furthest from 1 at a = {:.6g}, by "
-          "{:.6g}, which is {}{:.4g} ({}). {}. Energy that it creates, over {} degrees: at {}",
+          "{:.6g}, which is {}{:.4g}. {}. {}. Energy that it creates, over {} degrees: at {}",
           printed.text(), BlinnPhongBrdfLobe::record.printed, range_in_words(exponents, "exponent"),
           std::exp2(place), furthest, furthest <= close ? "within " : "not within ", close,
           within_one_code(ratio, place), closest_in_words(ratio, place, low),

@@ -108,7 +108,7 @@ TEST(StudyFile, RefusesWithTheLine) {
   EXPECT_EQ(refused("says = \"an eighth\"", "over = { x = \"0:1:x\" }"),
             "study 's.toml', line 19: over 'x=0:1:x' of a claim has no density");
   EXPECT_EQ(refused("says = \"an eighth\"", "over = { x = \"1:0\" }"),
-            "study 's.toml', line 19: over 'x=1:0' is empty: it must rise");
+            "study 's.toml', line 19: over 'x=1:0' is empty: its first end must be below its second");
   EXPECT_EQ(refused("says = \"an eighth\"", "over = \"0:1\""),
             "study 's.toml', line 19: 'over' must be a table");
   EXPECT_EQ(refused("claim = { max_abs_error = \"0.125\", says = \"an eighth\" }", "claim = [ \"0.125\" ]"),

@@ -178,8 +178,9 @@ TEST_F(StudyFolder, RecomputesRowsOfATable) {
 TEST_F(StudyFolder, RefusesBadInput) {
   expect_refusal({"fit", "acos-linaer"},
                  "unknown form, constant or study 'acos-linaer': did you mean 'acos-linear'?");
-  expect_refusal({"better", path("line.toml"), "--exponent", "5"},
-                 "--exponent does not go with a study: name it in the formulas and give it by --given");
+  expect_refusal(
+      {"better", path("line.toml"), "--exponent", "5"},
+      "--exponent does not go with a study: write it as a name in the formulas, and set that by --given");
   expect_refusal({"emit", "hg-schlick", "--lang", "glsl"},
                  "'hg-schlick' has 3 values of its given constants: name one by --given");
   const auto refused = [&](const std::string& before, const std::string& after, const std::string& line) {
@@ -197,7 +198,7 @@ TEST_F(StudyFolder, RefusesBadInput) {
   refused("\"a x\"", "\"a sine(x)\"",
           ", line 12: form: formula 'a sine(x)': expected a function before '(', not 'sine' (did you mean "
           "'sin'?) at place 3");
-  refused("\"0:1\"", "\"1:0\"", ", line 4: over 'x=1:0' is empty: it must rise");
+  refused("\"0:1\"", "\"1:0\"", ", line 4: over 'x=1:0' is empty: its first end must be below its second");
   refused(
       "\"0:1\"", "{ range = \"0:1\", density = \"1/y\" }",
       ", line 4: over 'x=0:1': formula '1/y': expected one of x, pi, ln2 and the functions, not 'y' at place 3");

@@ -117,10 +117,10 @@ TEST(Finding, EffectOfAFactor) {
   // In halves the grey 254/255, just below 1, is worth most: 0.01 * 254/255 / 2^-11 = 20.4.
   EXPECT_EQ(
       effect_of_factor(0.99, 1, "at k = 2 it"),
-      "at k = 2 it makes what it multiplies 1 - 0.01 times as large, which moves a linear grey by up to 1.1 codes of 8-bit "
+      "at k = 2 it makes a factor too small by 0.01 of its value, which moves a linear grey by up to 1.1 codes of 8-bit "
       "sRGB (absolute: 0.01 at grey 255/255; relative: 0.01 at grey 255/255; half float: 20 ulps)");
   EXPECT_NE(
-      effect_of_factor(2.02, 2).find("1 + 0.01 times as large (the value itself is off by 0.02), which"),
+      effect_of_factor(2.02, 2).find("makes a factor too large by 0.01 of its value, or by 0.02, which"),
       std::string::npos);
 }
 

@@ -327,7 +327,10 @@ TEST(Study, AnswersBadInputWithOneLine) {
             "--form does not depend on its parameter 'b'");
   EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
             "--form needs --over, a variable and its range: for example --over x=0:1");
-  EXPECT_EQ(refusal([](Study& s) { s.over = {{"x", "1", "0"}}; }), "--over 'x=1:0' is empty: it must rise");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"x", "1", "0"}};
+            }),
+            "--over 'x=1:0' is empty: its first end must be below its second");
   EXPECT_EQ(refusal([](Study& s) {
               s.over = {{"x", "0", "1"}, {"x", "0", "1"}};
             }),

@@ -261,8 +261,8 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
        "| cosine          |          0.75 |         0.75 |      0.203125 |     0.203125 |", "5.55437",
        "boksajak/brdf", "## Normalisation",
        "is itself off by up to 0.0357 in reflectance on glass (n = 1.5).\nThe published $2^{\\left(a c + b\\right) c}$ (a = "
-       "-5.55473, b = -6.98316) differs from Schlick's formula by at most 0.00362: 9.9 times less than Schlick's "
-       "formula differs from the exact reflectance.\nThe published curve closest to the exact reflectance of that glass is "
+       "-5.55473, b = -6.98316) is at most 0.00362 from Schlick's formula.\nSchlick's formula is up to 9.9 times as far "
+       "from the exact reflectance.\nThe published curve closest to the exact reflectance of that glass is "
        "$2^{-A c}$ (A = 8.35), off by 0.00706.\n",
        "## Exact Fresnel", "aluminium at 652.25 nm, n = 1.5724, k = 7.7354, f0 = 0.9054:",
        "$2^{\\left(a c + b\\right) c}$, refitted: a = -3103.676224, b = -19.75309694",

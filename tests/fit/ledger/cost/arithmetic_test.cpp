@@ -153,8 +153,9 @@ TEST(HalfBanding, RoundingsBoundEveryStepOfAFloatCosine) {
   }
   const Claim& claim = *find_claim("half-banding");
   const std::string proof =
-      "(none: its roundings change the curve by at most 0.24 codes at each of these powers)";
-  EXPECT_NE(evaluate(claim).evidence.find("bands is none, 12 and none " + proof), std::string::npos)
+      "(none: rounding changes such a curve by at most 0.24 codes at each of these powers)";
+  EXPECT_NE(evaluate(claim).evidence.find("bands is none, 12 and none, in the order of the forms " + proof),
+            std::string::npos)
       << evaluate(claim).evidence;
   // If that is not enough, every power is tried.
   const Claim fine =
