@@ -1,4 +1,4 @@
-#include "fit/proof/exp2_proof.hpp"
+#include "tests/bench/exp2_bounds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "fit/proof/running_error.hpp"
 #include "fit/scalars/jet.hpp"
 
-namespace shadefit {
+namespace shadefit::testing {
 namespace {
 
 template <std::size_t N>
@@ -94,4 +94,4 @@ std::vector<Exp2Bounds> exp2_bounds() {
   return all;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::testing

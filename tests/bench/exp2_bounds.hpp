@@ -6,7 +6,7 @@
 #include "approx/exp2_polynomial.hpp"
 
 /// Proven error bounds of the polynomials for exp2.
-namespace shadefit {
+namespace shadefit::testing {
 
 /// A polynomial and the bounds of its error.
 struct Exp2Bounds {
@@ -22,4 +22,4 @@ struct Exp2Bounds {
 /// The bounds of all polynomials by format and degree, proven on each call.
 std::vector<Exp2Bounds> exp2_bounds();
 
-}  // namespace shadefit
+}  // namespace shadefit::testing
