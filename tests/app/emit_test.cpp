@@ -40,6 +40,15 @@ TEST(Emit, ThePublishedPair) {
       << code;
 }
 
+// The proof is about the constants as they are printed above the code.
+TEST(Emit, HalfSaysThatItsRoundingComesOnTop) {
+  const std::string words = "// The rounding of constants and operations to half comes on top.\n";
+  for (const char* id : {"fresnel-quadratic", "acos-linear"}) {
+    EXPECT_TRUE(holds(emitted({id, "--lang", "glsl", "--precision", "half"}), words)) << id;
+    EXPECT_FALSE(holds(emitted({id, "--lang", "glsl"}), words)) << id;
+  }
+}
+
 TEST(Emit, ALobeOfOnePowerOrOfAny) {
   const std::string any = emitted({"sg-offset-mean", "--lang", "hlsl", "--name", "lobe"});
   EXPECT_TRUE(holds(any, "// shadefit emit sg-offset-mean --lang hlsl --name lobe\n")) << any;

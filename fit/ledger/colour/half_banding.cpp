@@ -201,7 +201,7 @@ Finding half_banding(const Claim& claim) {
           step_of_remedy(number_of(exponent), samples)),
       sentences({sentence(half.effect, "a smooth highlight of peak 1",
                           fmt::format("at power {} rounding with the cosine in half", exponent)),
-                 sentence(wide.effect, "it", "with the cosine in float it")})};
+                 sentence(wide.effect, "it", "rounding with the cosine in float")})};
 }
 
 }  // namespace
