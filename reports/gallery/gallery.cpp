@@ -75,7 +75,6 @@ Table table_of_page(const Table& rows) {
                                                                  {"Form", 1},
                                                                  {"Least error", 12},
                                                                  {"which loses", 13},
-                                                                 {"Error", 5},
                                                                  {"Source", 2}};
   Table table;
   for (const auto& column : columns) table.columns.push_back(column.first);
@@ -99,7 +98,7 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
           "<h1>Published constants of shading, judged and improved</h1>\n"
           "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
           "{} have a better set at no more instructions.</p>\n"
-          "<p>The error is the largest one over the stated range, sampled. The verdict says which fit has the printed digits, and how many were tried:</p>\n"
+          "<p>The error is the largest one over the stated range, sampled; the page of the constants says if it is relative or weighted. The verdict says which fit has the printed digits, and how many were tried:</p>\n"
           "<ul class=\"facts\"><li><b>confirmed</b>: the fit of the study; <b>rounding</b>: the same, but for one unit in a last digit</li>"
           "<li><b>other-objective</b>: another fit, which is named; <b>undecidable</b>: another fit, perhaps by chance</li>"
           "<li><b>refuted</b>: none of the fits that were tried</li></ul>\n"

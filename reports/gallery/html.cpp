@@ -25,7 +25,7 @@ h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin-top
 table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; padding: .35rem .7rem; border-bottom: 1px solid var(--line); vertical-align: top; }
 .number { text-align: right; font-variant-numeric: tabular-nums; } td.number { white-space: nowrap; } td.long { min-width: 14rem; }
-body:has(.sortable) { max-width: 110rem; } body:has(.sortable) :is(p, ul) { max-width: 80rem; } .sortable td.long { min-width: 10rem; }
+body:has(.sortable) { max-width: 116rem; } .sortable :is(td, th) { padding-inline: .45rem; } body:has(.sortable) :is(p, ul) { max-width: 80rem; } .sortable td.long { min-width: 10rem; }
 .sortable :is(td, th):first-child { position: sticky; left: 0; background: var(--back); }
 @media (min-width: 40rem) { .sortable td:first-child { white-space: nowrap; } }
 th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; text-align: inherit; }

@@ -144,8 +144,13 @@ std::string study_explanation(const StudyFile& file, const std::vector<StudyComp
                               const Terminal& terminal) {
   std::string out = study_title(file) + "\n";
   for (const std::string& line : study_statement(file)) out += line + "\n";
-  for (const PublishedSet& set : file.published)
-    out += fmt::format("\n{}\n", fmt::join(published_lines(set, comparisons), "\n"));
+  constexpr std::string_view indent = "  ";
+  const std::size_t room = terminal.width == 0 ? std::string::npos : terminal.width - indent.size();
+  for (const PublishedSet& set : file.published) {
+    out += "\n";
+    for (const std::string& line : published_lines(set, comparisons))
+      out += fmt::format("{}\n", fmt::join(folded(line, room), fmt::format("\n{}", indent)));
+  }
   return with_coloured_verdicts(out, terminal);
 }
 

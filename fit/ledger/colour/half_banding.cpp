@@ -117,48 +117,57 @@ Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
   return effect;
 }
 
+/// A form with a half or float cosine, at the power and at the low power of the claim.
+struct FormInCase {
+  const RoundedForm& form;
+  bool half_cosine;
+  Banding at_power, at_low;
+};
+
+/// "With the cosine in half pow first bands at power 18: its largest step is 0.47 codes at power 8 and 51 at
+/// power 1024, where 18 of 256 codes are left".
+std::string evidence_of(const FormInCase& tried, const Claim& claim, double visible, double last) {
+  const RoundedForm& form = tried.form;
+  const double power = number_of(claim.printed[0].value);
+  const Highlight highlight{power, tried.half_cosine,
+                            static_cast<int>(given(claim, "samples of a float cosine"))};
+  const auto first = first_banding_power(form, highlight, visible, last);
+  std::string more;
+  if (first)
+    more = fmt::format(", where {} of 256 codes are left", tried.at_power.codes);
+  else if (!tried.half_cosine && never_bands(form, visible, last))
+    more = fmt::format(". Rounding changes it by at most {:.2g} codes at each power",
+                       largest_step_of_roundings(form.relative_roundings, last));
+  return fmt::format(
+      "With the cosine in {} {} {}: its largest step is {} codes at power {:.4g} and {} at power {:.6g}{}",
+      tried.half_cosine ? "half" : "float", form.name,
+      first ? fmt::format("first bands at power {}", *first) : "never bands", decimal(tried.at_low.step, 2),
+      given(claim, "low power"), decimal(tried.at_power.step, 2), power, more);
+}
+
 /// A case of the claim: the number of published forms that band at the power, and at the low power.
 struct BandingCase {
   std::size_t bands = 0, low_bands = 0, forms = 0;
-  Effect effect;  ///< of the published forms at the power
-  std::string computed, evidence;
+  Effect effect;                      ///< of the published forms at the power
+  std::vector<std::string> steps;     ///< the largest of each form at the power
+  std::vector<std::string> evidence;  ///< a sentence for each form
 };
 
 BandingCase banding_case(const Claim& claim, bool half_cosine) {
   const double power = number_of(claim.printed[0].value), low = given(claim, "low power");
   const double visible = given(claim, "visible step in 8-bit sRGB codes");
-  const double last = given(claim, "powers up to");
   const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
   BandingCase found;
-  std::vector<std::string> steps, codes, low_steps, first;
   for (const RoundedForm& form : rounded_forms) {
-    const Banding at_power = banding_of(form, {power, half_cosine, samples});
-    const Banding at_low = banding_of(form, {low, half_cosine, samples});
-    if (form.is_published) {
-      ++found.forms;
-      found.bands += at_power.step > visible ? 1 : 0;
-      found.low_bands += at_low.step > visible ? 1 : 0;
-      found.effect.include(effect_of_rounding(form, {power, half_cosine, samples}));
-    }
-    const auto from = first_banding_power(form, {power, half_cosine, samples}, visible, last);
-    steps.push_back(decimal(at_power.step, 2));
-    codes.push_back(std::to_string(at_power.codes));
-    low_steps.push_back(decimal(at_low.step, 2));
-    first.push_back(from ? std::to_string(*from) : "none");
-  }
-  found.computed = fmt::format("steps of {}", enumerated(steps));
-  found.evidence = fmt::format(
-      "at power {} their largest steps are {} codes, and {} of the 256 codes are shown. At power {:.4g} "
-      "the largest steps are {} codes. All whole powers from 1 to {:.6g} were tried. The first that bands is "
-      "{}, in the order of the forms",
-      claim.printed[0].value, enumerated(steps), enumerated(codes), low, enumerated(low_steps), last,
-      enumerated(first));
-  for (const RoundedForm& form : rounded_forms) {
-    if (half_cosine || !never_bands(form, visible, last)) continue;
-    found.evidence +=
-        fmt::format(" (none: rounding changes such a curve by at most {:.2g} codes at each of these powers)",
-                    largest_step_of_roundings(form.relative_roundings, last));
-    break;  // the same for all of them
+    const FormInCase tried{form, half_cosine, banding_of(form, {power, half_cosine, samples}),
+                           banding_of(form, {low, half_cosine, samples})};
+    found.steps.push_back(decimal(tried.at_power.step, 2));
+    found.evidence.push_back(evidence_of(tried, claim, visible, given(claim, "powers up to")));
+    if (!form.is_published) continue;
+    ++found.forms;
+    found.bands += tried.at_power.step > visible ? 1 : 0;
+    found.low_bands += tried.at_low.step > visible ? 1 : 0;
+    found.effect.include(effect_of_rounding(form, {power, half_cosine, samples}));
   }
   return found;
 }
@@ -183,25 +192,25 @@ Finding half_banding(const Claim& claim) {
   const std::array parts{verdict_of_cases(half.bands + wide.bands, forms),
                          verdict_of_cases(forms - half.low_bands - wide.low_bands, forms)};
   const std::string exponent(claim.printed[0].value);
-  std::vector<std::string> names;
-  for (const RoundedForm& form : rounded_forms) names.emplace_back(form.name);
-  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
-  return {
-      worst(parts),
-      fmt::format(
-          "pow, exp2(A c - A) and exp2(A (c - 1)): {} codes with the cosine in half, {} with the cosine in "
-          "float",
-          half.computed, wide.computed),
-      fmt::format(
-          "the forms are {}. With the cosine in half, {}. With the cosine in float and arithmetic in half, "
-          "{}. A comment under the post gives a remedy, cosine and arithmetic in float and only the result "
-          "in half: "
-          "then the largest step at power {} is {:.2g} codes",
-          enumerated(names), half.evidence, wide.evidence, exponent,
-          step_of_remedy(number_of(exponent), samples)),
-      sentences({sentence(half.effect, "a smooth highlight of peak 1",
-                          fmt::format("at power {} rounding with the cosine in half", exponent)),
-                 sentence(wide.effect, "it", "rounding with the cosine in float")})};
+  std::vector<std::string> evidence{fmt::format(
+      "each form computes in half, from a cosine in half or in float. A step of more than {:.4g} of the 256 "
+      "codes shows as a band. All whole powers from 1 to {:.6g} were tried",
+      given(claim, "visible step in 8-bit sRGB codes"), given(claim, "powers up to"))};
+  evidence.insert(evidence.end(), half.evidence.begin(), half.evidence.end());
+  evidence.insert(evidence.end(), wide.evidence.begin(), wide.evidence.end());
+  evidence.push_back(fmt::format(
+      "A comment under the post gives a remedy: only the result in half. Then the largest step at power {} is "
+      "{:.2g} codes",
+      exponent,
+      step_of_remedy(number_of(exponent), static_cast<int>(given(claim, "samples of a float cosine")))));
+  return {worst(parts),
+          fmt::format("pow, exp2(A c - A) and exp2(A (c - 1)): steps of {} codes with the cosine in half, "
+                      "steps of {} with the cosine in float",
+                      enumerated(half.steps), enumerated(wide.steps)),
+          sentences(evidence),
+          sentences({sentence(half.effect, "a smooth highlight of peak 1",
+                              fmt::format("at power {} rounding with the cosine in half", exponent)),
+                     sentence(wide.effect, "it", "rounding with the cosine in float")})};
 }
 
 }  // namespace
