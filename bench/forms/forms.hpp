@@ -35,12 +35,17 @@ enum class Function {
   pow,   ///< also a logarithm
 };
 
+/// What a form reads, how many numbers it is given, and its function.
+template <Arguments A, std::size_t N, Function F>
+struct FormOf {
+  static constexpr Arguments arguments = A;
+  static constexpr std::size_t parameters = N;
+  static constexpr Function function = F;
+};
+
 /// A form of the cosine whose constants are used as they are given.
 template <std::size_t N, Function F>
-struct AsGiven {
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = F;
-  static constexpr std::size_t parameters = N;
+struct AsGiven : FormOf<Arguments::cosine, N, F> {
   template <class T>
   static std::array<T, N> prepared(const std::array<T, N>& p) {
     return p;
@@ -68,11 +73,8 @@ struct LobeSquarings : AsGiven<1, Function::none> {
 };
 
 /// exp2(A c - A), A = (k + x)/ln 2.
-struct LobeGaussian {
+struct LobeGaussian : FormOf<Arguments::cosine, 2, Function::exp2> {  // k, x
   static constexpr const char* id = "sg";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::exp2;
-  static constexpr std::size_t parameters = 2;  // k, x
   template <class T>
   static std::array<T, 1> prepared(const std::array<T, 2>& p) {
     return {base_two_power(T(p[0] + p[1]))};
@@ -89,11 +91,8 @@ struct LobeGaussianOfDifference : LobeGaussian {
 };
 
 /// s exp2(A c - A).
-struct LobeScaledGaussian {
+struct LobeScaledGaussian : FormOf<Arguments::cosine, 3, Function::exp2> {  // k, s, x
   static constexpr const char* id = "sg-scaled";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::exp2;
-  static constexpr std::size_t parameters = 3;  // k, s, x
   template <class T>
   static std::array<T, 2> prepared(const std::array<T, 3>& p) {
     return {p[1], base_two_power(T(p[0] + p[2]))};
@@ -118,11 +117,8 @@ T largest_code() {
   return integer<T>(255);
 }
 
-struct GlossPower {
+struct GlossPower : FormOf<Arguments::cosine_and_code, 2, Function::pow> {
   static constexpr const char* id = "gloss-pow";
-  static constexpr Arguments arguments = Arguments::cosine_and_code;
-  static constexpr Function function = Function::pow;
-  static constexpr std::size_t parameters = 2;
   /// The doublings of one code.
   template <class T>
   static std::array<T, 2> prepared(const std::array<T, 2>& p) {
@@ -134,11 +130,8 @@ struct GlossPower {
 };
 
 /// exp2(A c - A), A = 2^(d g + m) + x/ln 2; m, the `base_two_first` of f, is a constant of the form.
-struct GlossGaussian {
+struct GlossGaussian : FormOf<Arguments::cosine_and_code, 4, Function::exp2> {  // d, f, m, x
   static constexpr const char* id = "gloss-sg";
-  static constexpr Arguments arguments = Arguments::cosine_and_code;
-  static constexpr Function function = Function::exp2;
-  static constexpr std::size_t parameters = 4;  // d, f, m, x
   template <class T>
   static std::array<T, 3> prepared(const std::array<T, 4>& p) {
     return {p[0] / largest_code<T>(), p[2], base_two_power(p[3])};
@@ -215,11 +208,8 @@ struct HenyeyGreensteinRoot : AsGiven<1, Function::none> {
   auto operator()(const auto& c, const auto& p) const { return henyey_greenstein_by_sqrt(c, p[0]); }
 };
 
-struct SchlickPhase {
+struct SchlickPhase : FormOf<Arguments::cosine, 3, Function::none> {  // g, a, b
   static constexpr const char* id = "schlick-phase";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
-  static constexpr std::size_t parameters = 3;  // g, a, b
   template <class T>
   static std::array<T, 1> prepared(const std::array<T, 3>& p) {
     return {schlick_phase_parameter(p[0], p[1], p[2])};
@@ -230,11 +220,8 @@ struct SchlickPhase {
 // The sum of the highlights of lights: k, x, y and z of each light, then the form's. `prepared` and the
 // formula are of one light: k, x, y, z, then the form's.
 
-struct PhongPower {
+struct PhongPower : FormOf<Arguments::normal_to_lights, 4, Function::pow> {
   static constexpr const char* id = "phong-pow";
-  static constexpr Arguments arguments = Arguments::normal_to_lights;
-  static constexpr Function function = Function::pow;
-  static constexpr std::size_t parameters = 4;
   template <class T>
   static std::array<T, 4> prepared(const std::array<T, 4>& p) {
     return {p[1], p[2], p[3], p[0]};
@@ -253,11 +240,8 @@ struct PhongSquarings : PhongPower {
   }
 };
 
-struct PhongGaussian {
+struct PhongGaussian : FormOf<Arguments::normal_to_lights, 5, Function::exp2> {  // and x
   static constexpr const char* id = "phong-sg";
-  static constexpr Arguments arguments = Arguments::normal_to_lights;
-  static constexpr Function function = Function::exp2;
-  static constexpr std::size_t parameters = 5;  // and x
   template <class T>
   static std::array<T, 4> prepared(const std::array<T, 5>& p) {
     return scaled_light({p[1], p[2], p[3]}, base_two_power(T(p[0] + p[4])));
