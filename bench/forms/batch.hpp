@@ -13,39 +13,19 @@
 /// wider instructions, might be the copy that the linker keeps for all.
 namespace shadefit {
 
-/// min and max exchange the arguments of xsimd's. If one is NaN, or both are zeros, the instruction returns
-/// its second argument, but `Scalar<float>` returns its first.
+/// With the functions of the timed forms. min and max exchange the arguments of xsimd's. If one is NaN, or
+/// both are zeros, the instruction returns its second argument, but `Scalar<float>` returns its first.
 template <class R, class A>
 struct Scalar<xsimd::batch<R, A>> {
   using Real = R;
   using T = xsimd::batch<R, A>;
   using Condition = xsimd::batch_bool<R, A>;
 
-  static T exp(const T& x) { return xsimd::exp(x); }
   static T exp2(const T& x) { return xsimd::exp2(x); }
-  static T log(const T& x) { return xsimd::log(x); }
   static T log2(const T& x) { return xsimd::log2(x); }
-  static T expm1(const T& x) { return xsimd::expm1(x); }
-  static T log1p(const T& x) { return xsimd::log1p(x); }
-  static T erfc(const T& x) { return xsimd::erfc(x); }
   static T sqrt(const T& x) { return xsimd::sqrt(x); }
-  static T sin(const T& x) { return xsimd::sin(x); }
-  static T cos(const T& x) { return xsimd::cos(x); }
-  static T tan(const T& x) { return xsimd::tan(x); }
-  static T asin(const T& x) { return xsimd::asin(x); }
-  static T acos(const T& x) { return xsimd::acos(x); }
-  static T atan(const T& x) { return xsimd::atan(x); }
-  static T atan2(const T& y, const T& x) { return xsimd::atan2(y, x); }
-  static T sinh(const T& x) { return xsimd::sinh(x); }
-  static T cosh(const T& x) { return xsimd::cosh(x); }
-  static T tanh(const T& x) { return xsimd::tanh(x); }
-  static T erf(const T& x) { return xsimd::erf(x); }
-  static T floor(const T& x) { return xsimd::floor(x); }
   static T power(const T& x, const T& p) { return xsimd::pow(x, p); }
   static Condition less(const T& a, const T& b) { return a < b; }
-  static T select(const Condition& condition, const T& a, const T& b) {
-    return xsimd::select(condition, a, b);
-  }
   static T min(const T& a, const T& b) { return xsimd::min(b, a); }
   static T max(const T& a, const T& b) { return xsimd::max(b, a); }
   static T integer(int n) { return of(static_cast<R>(n)); }
