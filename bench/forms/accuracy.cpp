@@ -25,7 +25,6 @@ constexpr std::size_t block = 64;
 struct Grid {
   std::array<std::vector<double>, 3> in;  ///< cosines, or normals
   std::vector<std::uint8_t> codes;
-  bool is_of_lights = false;
 
   std::size_t size() const { return in[0].size(); }
   void add(double x, double y = 0, double z = 0, std::uint8_t code = 0) {
@@ -51,7 +50,6 @@ Grid grid_of(const Target& target) {
       const auto n = spread_direction(first + i);
       grid.add(n[0], n[1], n[2]);
     }
-    grid.is_of_lights = true;
   } else if (target.arguments == Arguments::cosine_and_code) {
     constexpr int steps = 256, codes = 256;
     for (int i = 0; i <= steps; ++i) {
@@ -71,48 +69,30 @@ Grid grid_of(const Target& target) {
   return grid;
 }
 
-template <class R>
-R rounded(double x) {
-  if constexpr (std::is_same_v<R, Eigen::half>) {
-    return round_to_half(x);
-  } else {
-    return static_cast<R>(x);
-  }
-}
-
-template <class R>
-double widened(R x) {
-  return static_cast<double>(x);
-}
-double widened(Eigen::half x) {
-  return static_cast<double>(static_cast<float>(x));
-}
-
 /// The places in an arithmetic, with the target and the results of a form.
 template <class R>
 class Places {
  public:
-  Places(const Grid& grid, const Target& target, Kernel<long double> exact) : grid_(grid) {
+  Places(const Grid& grid, const Target& target, Kernel<long double> exact)
+      : grid_(grid), target_(parameters_of(target, {})) {
     std::array<std::vector<long double>, 3> wide;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const double x : grid.in[axis]) {
-        in_[axis].push_back(rounded<R>(x));
+        in_[axis].push_back(rounded_to<R>(x));
         wide[axis].push_back(static_cast<long double>(widened(in_[axis].back())));
       }
     }
-    std::vector<long double> parameters;
-    for (const double p : parameters_of(target, {})) parameters.push_back(static_cast<long double>(p));
+    const std::vector<long double> parameters(target_.begin(), target_.end());
     truth_.resize(grid.size());
     exact({{wide[0].data(), wide[1].data(), wide[2].data()}, grid.codes.data(), truth_.data(), grid.size()},
           parameters);
-    target_ = parameters_of(target, {});
   }
 
   /// The form's results there.
   std::vector<double> results(Kernel<R> kernel, const Constants& constants) const {
     std::vector<R> parameters, out(grid_.size());
-    for (const double p : target_) parameters.push_back(rounded<R>(p));
-    for (const NamedNumber& number : constants.numbers) parameters.push_back(rounded<R>(number.value));
+    for (const double p : target_) parameters.push_back(rounded_to<R>(p));
+    for (const NamedNumber& number : constants.numbers) parameters.push_back(rounded_to<R>(number.value));
     kernel({{in_[0].data(), in_[1].data(), in_[2].data()}, grid_.codes.data(), out.data(), grid_.size()},
            parameters);
     std::vector<double> results;
@@ -123,7 +103,6 @@ class Places {
   double cosine(std::size_t i) const { return widened(in_[0][i]); }
   long double truth(std::size_t i) const { return truth_[i]; }
   std::size_t size() const { return grid_.size(); }
-  bool is_of_lights() const { return grid_.is_of_lights; }
 
  private:
   const Grid& grid_;
@@ -185,89 +164,79 @@ std::string values_of(const Constants& constants) {
   return text;
 }
 
-class Accuracy {
- public:
-  Table table() && { return std::move(table_); }
+const LibraryForm& library_form(std::string_view id) {
+  return *std::ranges::find(library_forms(), id, &LibraryForm::form);
+}
 
-  void append(const Target& target, const Catalogue& all, const Checkpoint& checkpoint) {
-    const Grid grid = grid_of(target);
-    const Kernel<long double> exact = library_form(reference_of(all, target.id).id).in_long_double;
-    const Places<Eigen::half> halves(grid, target, exact);
-    const Places<float> floats(grid, target, exact);
-    const Places<double> doubles(grid, target, exact);
-    for (const FormEntry& form : all.forms) {
-      if (form.target != target.id) continue;
-      for (const Constants& constants : form.constants) {
+void append_row(Table& table, const Row& row, std::string_view arithmetic, int degree, const Errors& errors) {
+  // Sampled errors are the same on every machine to all digits; these are enough for a reader.
+  constexpr int digits = 6, few = 3, of_bounds = 4;
+  const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
+  const auto bound = [](double value) {
+    return Cell(Number{constant<double>(decimal_above(value, of_bounds)), of_bounds});
+  };
+  std::string exp2;
+  if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
+  const bool is_paired = row.pairing && row.pairing->degree == degree;
+  const bool is_float = arithmetic == "float";
+  table.rows.push_back(
+      {std::string(row.form.target), std::string(row.form.id), row.constants.id, values_of(row.constants),
+       exp2, std::string(arithmetic), number(errors.absolute, digits),
+       row.form.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, digits),
+       number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
+       number(errors.codes, few), row.pairing ? bound(row.pairing->own_upper) : Cell(),
+       row.pairing ? bound(row.pairing->totals[static_cast<std::size_t>(degree)]) : Cell(),
+       row.pairing && row.pairing->rounding && is_float ? bound(*row.pairing->rounding) : Cell(),
+       row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
+}
+
+void append(Table& table, const Target& target, const Catalogue& all, const Checkpoint& checkpoint) {
+  const Grid grid = grid_of(target);
+  const Kernel<long double> exact = library_form(reference_of(all, target.id).id).in_long_double;
+  const Places<Eigen::half> halves(grid, target, exact);
+  const Places<float> floats(grid, target, exact);
+  const Places<double> doubles(grid, target, exact);
+  for (const FormEntry& form : all.forms) {
+    if (form.target != target.id) continue;
+    for (const Constants& constants : form.constants) {
+      checkpoint();
+      const Row row{form, constants, pair_exp2(target, form.id, constants, checkpoint)};
+      const LibraryForm& library = library_form(form.id);
+      const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic, int degree) {
         checkpoint();
-        const Row row{form, constants, pair_exp2(target, form.id, constants, checkpoint)};
-        const LibraryForm& library = library_form(form.id);
-        const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic, int degree) {
-          checkpoint();
-          append_row(row, arithmetic, degree, errors_of(places, places.results(kernel, constants)),
-                     places.is_of_lights());
-        };
-        add(doubles, library.in_double, "double", 0);
-        add(floats, library.in_float, "float", 0);
-        add(halves, library.in_half, "half", 0);
-        for (const CompiledForm& compiled : Tables::sse2) {
-          if (compiled.form != form.id || compiled.exp2_degree != 0 || form.function == Function::none)
-            continue;
-          add(doubles, compiled.in_double, "double SSE2", 0);
-          add(floats, compiled.in_float, "float SSE2", 0);
-        }
-        for (const CompiledForm& compiled : Tables::scalar) {
-          if (compiled.form != form.id || compiled.exp2_degree == 0) continue;
-          if (compiled.in_double != nullptr) add(doubles, compiled.in_double, "double", compiled.exp2_degree);
-          add(floats, compiled.in_float, "float", compiled.exp2_degree);
-        }
+        append_row(table, row, arithmetic, degree, errors_of(places, places.results(kernel, constants)));
+      };
+      add(doubles, library.in_double, "double", 0);
+      add(floats, library.in_float, "float", 0);
+      add(halves, library.in_half, "half", 0);
+      for (const CompiledForm& compiled : Tables::sse2) {
+        if (compiled.form != form.id || compiled.exp2_degree != 0 || form.function == Function::none)
+          continue;
+        add(doubles, compiled.in_double, "double SSE2", 0);
+        add(floats, compiled.in_float, "float SSE2", 0);
+      }
+      for (const CompiledForm& compiled : Tables::scalar) {
+        if (compiled.form != form.id || compiled.exp2_degree == 0) continue;
+        if (compiled.in_double != nullptr) add(doubles, compiled.in_double, "double", compiled.exp2_degree);
+        add(floats, compiled.in_float, "float", compiled.exp2_degree);
       }
     }
   }
-
- private:
-  static const LibraryForm& library_form(std::string_view id) {
-    return *std::ranges::find(library_forms(), id, &LibraryForm::form);
-  }
-
-  void append_row(const Row& row, std::string_view arithmetic, int degree, const Errors& errors,
-                  bool is_of_lights) {
-    // Sampled errors are the same on every machine to all digits; these are enough for a reader.
-    constexpr int digits = 6, few = 3, of_bounds = 4;
-    const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
-    const auto bound = [](double value) {
-      return Cell(Number{constant<double>(decimal_above(value, of_bounds)), of_bounds});
-    };
-    std::string exp2;
-    if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
-    const bool is_paired = row.pairing && row.pairing->degree == degree;
-    const bool is_float = arithmetic == "float";
-    table_.rows.push_back(
-        {std::string(row.form.target), std::string(row.form.id), row.constants.id, values_of(row.constants),
-         exp2, std::string(arithmetic), number(errors.absolute, digits),
-         is_of_lights ? Cell() : number(errors.at, digits), number(errors.relative, digits),
-         number(errors.rms, digits), number(errors.ulps, few), number(errors.codes, few),
-         row.pairing ? bound(row.pairing->own_upper) : Cell(),
-         row.pairing ? bound(row.pairing->totals[static_cast<std::size_t>(degree)]) : Cell(),
-         row.pairing && row.pairing->rounding && is_float ? bound(*row.pairing->rounding) : Cell(),
-         row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
-  }
-
-  Table table_{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
-                           "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes",
-                           "own_error", "total_error", "rounding_error", "paired"},
-               .rows = {}};
-};
+}
 
 }  // namespace
 
 Table accuracy_table(const Checkpoint& checkpoint, const std::function<void(double share)>& progress) {
   const Catalogue all = catalogue();
-  Accuracy accuracy;
+  Table table{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
+                          "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes",
+                          "own_error", "total_error", "rounding_error", "paired"},
+              .rows = {}};
   for (const Target& target : all.targets) {
     progress(static_cast<double>(&target - all.targets.data()) / static_cast<double>(all.targets.size()));
-    accuracy.append(target, all, checkpoint);
+    append(table, target, all, checkpoint);
   }
-  return std::move(accuracy).table();
+  return table;
 }
 
 }  // namespace shadefit::forms

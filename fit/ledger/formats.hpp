@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,22 +17,6 @@ auto in_format(std::string_view name, const Call& call) {
   if (name == "float") return call.template operator()<float>();
   if (name == "double") return call.template operator()<double>();
   throw std::invalid_argument("no format '" + std::string(name) + "'");
-}
-
-/// A number of any of these formats as a double, exactly.
-template <class T>
-double widened(T x) {
-  return static_cast<double>(x);
-}
-
-/// A double rounded to the format, once.
-template <class T>
-T rounded_to(double x) {
-  if constexpr (std::same_as<T, Eigen::half>) {
-    return round_to_half(x);
-  } else {
-    return static_cast<T>(x);
-  }
 }
 
 /// The largest x of the format, between two others, up to which `holds` (which holds at `low`, not at `high`,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <concepts>
 #include <limits>
 
 #include "fit/scalars/scalar_in_double.hpp"
@@ -21,6 +22,22 @@ inline Eigen::half round_to_half(double x) {
     narrow = std::nextafterf(narrow, towards);
   }
   return Eigen::half(narrow);
+}
+
+/// A double rounded to half, float or double, once.
+template <class T>
+T rounded_to(double x) {
+  if constexpr (std::same_as<T, Eigen::half>) {
+    return round_to_half(x);
+  } else {
+    return static_cast<T>(x);
+  }
+}
+
+/// A number of any of these formats as a double, exactly.
+template <class T>
+double widened(T x) {
+  return static_cast<double>(x);
 }
 
 template <>
