@@ -358,27 +358,21 @@ Pairing paired_lights(const Target& target, const Constants& constants, const Ch
 
 std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants,
                                  const Checkpoint& checkpoint) {
-  const auto lobe = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form, LobeSquarings>(make_family<Family>(Setting(fixed_exponent)), target, constants,
-                                       checkpoint);
+  std::optional<Pairing> found;
+  const auto look_at = [&]<class Form, class Curve>(Form, Curve, const auto& family) {
+    if (form == Form::id) found = paired<Form, Curve>(family, target, constants, checkpoint);
   };
-  const auto fresnel = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form, SchlickMultiplied>(Family(), target, constants, checkpoint);
-  };
-  if (form == LobeGaussian::id) return lobe(LobeGaussian(), std::type_identity<SgOffset>());
-  if (form == LobeGaussianOfDifference::id)
-    return lobe(LobeGaussianOfDifference(), std::type_identity<SgOffset>());
-  if (form == LobeScaledGaussian::id) return lobe(LobeScaledGaussian(), std::type_identity<SgScaled>());
-  if (form == GlossGaussian::id) return paired_gloss(target, constants, checkpoint);
-  if (form == PhongGaussian::id) return paired_lights(target, constants, checkpoint);
-  if (form == FresnelOneTermForm::id)
-    return fresnel(FresnelOneTermForm(), std::type_identity<FresnelOneTerm>());
-  if (form == FresnelQuadraticForm::id)
-    return fresnel(FresnelQuadraticForm(), std::type_identity<FresnelQuadratic>());
-  if (form == FresnelCubicForm::id) return fresnel(FresnelCubicForm(), std::type_identity<FresnelCubic>());
-  if (form == FresnelQuarticForm::id)
-    return fresnel(FresnelQuarticForm(), std::type_identity<FresnelQuartic>());
-  return std::nullopt;
+  const Setting exponent(fixed_exponent);
+  look_at(LobeGaussian(), LobeSquarings(), make_family<SgOffset>(exponent));
+  look_at(LobeGaussianOfDifference(), LobeSquarings(), make_family<SgOffset>(exponent));
+  look_at(LobeScaledGaussian(), LobeSquarings(), make_family<SgScaled>(exponent));
+  look_at(FresnelOneTermForm(), SchlickMultiplied(), FresnelOneTerm());
+  look_at(FresnelQuadraticForm(), SchlickMultiplied(), FresnelQuadratic());
+  look_at(FresnelCubicForm(), SchlickMultiplied(), FresnelCubic());
+  look_at(FresnelQuarticForm(), SchlickMultiplied(), FresnelQuartic());
+  if (form == GlossGaussian::id) found = paired_gloss(target, constants, checkpoint);
+  if (form == PhongGaussian::id) found = paired_lights(target, constants, checkpoint);
+  return found;
 }
 
 }  // namespace shadefit::forms
