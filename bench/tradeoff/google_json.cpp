@@ -29,18 +29,6 @@ double deviation_of(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-/// The common fields of the rows of a benchmark.
-Json row(const std::string& name, const std::string& suffix, std::size_t family, const char* type,
-         std::size_t repetitions) {
-  return {{"name", name + suffix},
-          {"family_index", family},
-          {"per_family_instance_index", 0},
-          {"run_name", name},
-          {"run_type", type},
-          {"repetitions", repetitions},
-          {suffix.empty() ? "repetition_index" : "threads", suffix.empty() ? 0 : 1}};
-}
-
 struct Aggregate {
   const char* name;
   const char* unit;
@@ -58,26 +46,23 @@ constexpr std::array<Aggregate, 4> aggregates{{
 void add_rows(Json& rows, const TimedForm& timed, std::size_t family) {
   const std::string name = benchmark_name(timed);
   const std::size_t repetitions = timed.real.size();
-  const auto add = [&](Json row, auto iterations, double real, double cpu) {
-    row["iterations"] = iterations;
-    row["real_time"] = real;
-    row["cpu_time"] = cpu;
-    row["time_unit"] = "ns";
+  const auto add = [&](const std::string& suffix, const char* type, const Json& of_type, auto iterations,
+                       double real, double cpu) {
+    Json row{{"name", name + suffix}, {"family_index", family}, {"per_family_instance_index", 0},
+             {"run_name", name},      {"run_type", type},       {"repetitions", repetitions}};
+    row.update(of_type);
+    row.update({{"iterations", iterations}, {"real_time", real}, {"cpu_time", cpu}, {"time_unit", "ns"}});
     rows.push_back(std::move(row));
   };
   for (std::size_t i = 0; i < repetitions; ++i) {
-    Json iteration = row(name, "", family, "iteration", repetitions);
-    iteration["repetition_index"] = i;
-    iteration["threads"] = 1;
-    add(std::move(iteration), timed.elements / elements_an_iteration, elements_an_iteration * timed.real[i],
-        elements_an_iteration * timed.cpu[i]);
+    add("", "iteration", {{"repetition_index", i}, {"threads", 1}}, timed.elements / elements_an_iteration,
+        elements_an_iteration * timed.real[i], elements_an_iteration * timed.cpu[i]);
   }
-  for (const Aggregate& aggregate : aggregates) {
-    Json whole = row(name, std::string("_") + aggregate.name, family, "aggregate", repetitions);
-    whole["aggregate_name"] = aggregate.name;
-    whole["aggregate_unit"] = aggregate.unit;
-    const int factor = aggregate.unit == std::string_view("time") ? elements_an_iteration : 1;
-    add(std::move(whole), repetitions, factor * aggregate.of(timed.real), factor * aggregate.of(timed.cpu));
+  for (const auto& [aggregate, unit, of] : aggregates) {
+    const int factor = unit == std::string_view("time") ? elements_an_iteration : 1;
+    add(std::string("_") + aggregate, "aggregate",
+        {{"threads", 1}, {"aggregate_name", aggregate}, {"aggregate_unit", unit}}, repetitions,
+        factor * of(timed.real), factor * of(timed.cpu));
   }
 }
 

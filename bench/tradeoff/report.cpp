@@ -2,20 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/io/joined.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit::bench {
 namespace {
-
-std::string widths_text(const std::vector<forms::Width>& widths) {
-  std::vector<std::string> names;
-  for (const forms::Width width : widths) names.emplace_back(forms::name(width));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::size_t rounds_of(const Trade& trade) {
-  return trade.forms.empty() ? 0 : trade.forms.front().real.size();
-}
 
 std::string target_section(const Trade& trade, const TimedTarget& target,
                            const std::vector<Figure>& figures) {
@@ -43,7 +34,8 @@ std::string bench_report(const Trade& trade, const std::vector<Figure>& figures,
       "`spread` is the interquartile range. `x copy`: in times of copying the same array in the same registers; `x faster than "
       "pow`: than the scalar loop over the library's own functions in the same precision. Errors are {}; times are "
       "this machine's, of this day. Each form stands at its fastest width, its data in L1.\n\n",
-      machine.cpu, machine.compiler, widths_text(trade.widths), rounds_of(trade),
+      machine.cpu, machine.compiler, joined(trade.widths, ", ", forms::name),
+      trade.forms.empty() ? 0 : trade.forms.front().real.size(),
       has_table ? "those of `accuracy.csv`, which is the same everywhere" : "the largest on a grid");
   text += "# What to use when\n\n";
   for (const TimedTarget& target : trade.targets) text += target_section(trade, target, figures);

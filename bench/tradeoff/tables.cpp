@@ -1,31 +1,34 @@
 #include "bench/tradeoff/report.hpp"
 
+#include <utility>
+
 namespace shadefit::bench {
 namespace {
 
-std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
+/// The columns of bench.csv, each with its cell in the row of a form.
+std::vector<std::pair<const char*, Cell>> bench_cells(const TimedForm& timed, const Machine& machine) {
   const bool is_on_cpu = !timed.on_device;
   const DeviceTimes times = timed.on_device.value_or(DeviceTimes());
-  return {timed.target,
-          timed.form,
-          timed.constants,
-          static_cast<long>(timed.exp2_degree),
-          precision_of(timed),
-          is_on_cpu ? std::string(forms::name(timed.width)) : "",
-          is_on_cpu ? name(timed.place) : "",
-          measured(timed.ns.median),
-          measured(timed.ns.width()),
-          measured(timed.copies),
-          measured(timed.pows),
-          measured(timed.max_abs_error),
-          machine.cpu,
-          machine.compiler,
-          machine.device,
-          machine.driver,
-          machine.clock,
-          measured(timed.multiply_adds),
-          measured(times.dependent_ns),
-          measured(times.dependent_multiply_adds)};
+  return {{"target", timed.target},
+          {"form", timed.form},
+          {"constants", timed.constants},
+          {"exp2_degree", static_cast<long>(timed.exp2_degree)},
+          {"precision", precision_of(timed)},
+          {"width", is_on_cpu ? std::string(forms::name(timed.width)) : ""},
+          {"place", is_on_cpu ? name(timed.place) : ""},
+          {"ns_per_element", measured(timed.ns.median)},
+          {"spread", measured(timed.ns.width())},
+          {"copies", measured(timed.copies)},
+          {"times_faster_than_pow", measured(timed.pows)},
+          {"max_abs_error", measured(timed.max_abs_error)},
+          {"cpu", machine.cpu},
+          {"compiler", machine.compiler},
+          {"device", machine.device},
+          {"driver", machine.driver},
+          {"clock", machine.clock},
+          {"multiply_adds", measured(timed.multiply_adds)},
+          {"dependent_ns", measured(times.dependent_ns)},
+          {"dependent_multiply_adds", measured(times.dependent_multiply_adds)}};
 }
 
 }  // namespace
@@ -39,29 +42,14 @@ Cell measured(const std::optional<double>& value) {
 }
 
 Table bench_table(const Trade& trade) {
-  Table table{{"target",
-               "form",
-               "constants",
-               "exp2_degree",
-               "precision",
-               "width",
-               "place",
-               "ns_per_element",
-               "spread",
-               "copies",
-               "times_faster_than_pow",
-               "max_abs_error",
-               "cpu",
-               "compiler",
-               "device",
-               "driver",
-               "clock",
-               "multiply_adds",
-               "dependent_ns",
-               "dependent_multiply_adds"},
-              {}};
-  for (const TimedForm& floor : trade.copies) table.rows.push_back(bench_row(floor, trade.machine));
-  for (const TimedForm& timed : trade.forms) table.rows.push_back(bench_row(timed, trade.machine));
+  Table table;
+  for (const auto& [column, ignored] : bench_cells({}, trade.machine)) table.columns.emplace_back(column);
+  for (const auto* forms : {&trade.copies, &trade.forms}) {
+    for (const TimedForm& timed : *forms) {
+      auto& row = table.rows.emplace_back();
+      for (const auto& [ignored, cell] : bench_cells(timed, trade.machine)) row.push_back(cell);
+    }
+  }
   return table;
 }
 
