@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace shadefit::bench {
 namespace {
@@ -11,12 +12,16 @@ namespace {
 constexpr std::size_t grid_places = 16384;
 
 template <class Real>
-std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, const std::vector<double>& given) {
+std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, forms::Arguments arguments,
+                            const std::vector<double>& given) {
   std::vector<Real> parameters, in[3], out(grid_places);
   for (const double x : given) parameters.push_back(static_cast<Real>(x));
-  for (std::size_t axis = 0; axis < 3; ++axis) in[axis].assign(grid.in[axis].begin(), grid.in[axis].end());
-  kernel({{in[0].data(), in[1].data(), in[2].data()}, grid.codes.data(), out.data(), grid_places},
-         parameters);
+  for (std::size_t i = 0; i < grid.size(); ++i) in[i].assign(grid[i].begin(), grid[i].end());
+  std::vector<std::uint8_t> codes;
+  if (arguments == forms::Arguments::cosine_and_code) {
+    for (const float code : grid.back()) codes.push_back(static_cast<std::uint8_t>(code));
+  }
+  kernel({{in[0].data(), in[1].data(), in[2].data()}, codes.data(), out.data(), grid_places}, parameters);
   return out;
 }
 
@@ -31,21 +36,21 @@ double largest_error(const std::vector<Real>& values, const std::vector<double>&
 }  // namespace
 
 Grid grid_of(const forms::Target& target) {
-  Grid grid;
+  const bool has_normals = target.arguments == forms::Arguments::normal_to_lights;
+  const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
+  Grid grid(has_normals ? 3 : has_codes ? 2 : 1);
   for (std::size_t i = 0; i < grid_places; ++i) {
-    if (target.arguments == forms::Arguments::normal_to_lights) {
+    if (has_normals) {
       const auto direction = forms::spread_direction(i);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        grid.in[axis].push_back(static_cast<float>(direction[axis]));
+      for (std::size_t axis = 0; axis < 3; ++axis) grid[axis].push_back(static_cast<float>(direction[axis]));
       continue;
     }
-    const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
     // With codes: each of the 256 at every 64th of the cosines.
     const std::size_t step = has_codes ? i / 256 : i,
                       last = has_codes ? grid_places / 256 - 1 : grid_places - 1;
     const double share = static_cast<double>(step) / static_cast<double>(last);
-    grid.in[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
-    if (has_codes) grid.codes.push_back(static_cast<std::uint8_t>(i % 256));
+    grid[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
+    if (has_codes) grid[1].push_back(static_cast<float>(i % 256));
   }
   return grid;
 }
@@ -55,7 +60,7 @@ std::vector<double> truth_at(const Grid& grid, const forms::Catalogue& catalogue
   const forms::FormEntry& exact = forms::reference_of(catalogue, target.id);
   const auto scalar = forms::compiled_forms(forms::Width::scalar);
   return values_of(std::ranges::find(scalar, exact.id, &forms::CompiledForm::form)->in_double, grid,
-                   forms::parameters_of(target, exact.constants.front()));
+                   target.arguments, forms::parameters_of(target, exact.constants.front()));
 }
 
 std::vector<FormError> grid_errors(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
@@ -77,11 +82,11 @@ std::vector<FormError> grid_errors(const forms::Catalogue& catalogue, const std:
         between();
         const auto given = forms::parameters_of(*target, constants);
         FormError error{std::string(form.target), std::string(form.id), constants.id, version.exp2_degree};
-        error.max_abs_error = largest_error(values_of(version.in_float, grid, given), truth);
+        error.max_abs_error = largest_error(values_of(version.in_float, grid, form.arguments, given), truth);
         errors.push_back(error);
         if (version.in_double == nullptr) continue;
         error.is_double = true;
-        error.max_abs_error = largest_error(values_of(version.in_double, grid, given), truth);
+        error.max_abs_error = largest_error(values_of(version.in_double, grid, form.arguments, given), truth);
         errors.push_back(error);
       }
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -9,11 +8,9 @@
 
 namespace shadefit::bench {
 
-/// The places for the errors of a target, floats that are exact in double.
-struct Grid {
-  std::vector<float> in[3];         ///< the cosines, or the axes of normals; the others are empty
-  std::vector<std::uint8_t> codes;  ///< where the target reads codes
-};
+/// The places for the errors of a target: the floats of each argument, the same number for all. They are
+/// cosines, then the codes if the target reads them, or the axes of normals.
+using Grid = std::vector<std::vector<float>>;
 
 /// A dense grid over the domain of a target, ends included.
 Grid grid_of(const forms::Target& target);

@@ -2,39 +2,16 @@
 
 #include "bench/device/form_functions.hpp"
 #include "bench/device/times/device_forms.hpp"
-#include "bench/tradeoff/grid_errors.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
 namespace {
 
-Places places_of(const bench::Grid& grid) {
-  Places places;
-  for (const std::vector<float>& axis : grid.in) {
-    if (!axis.empty()) places.push_back(axis);
-  }
-  if (!grid.codes.empty()) places.emplace_back(grid.codes.begin(), grid.codes.end());
-  return places;
-}
-
-/// The inverse of `places_of`. A code is a whole number in any format.
-bench::Grid grid_at(const Places& places, forms::Arguments arguments) {
-  const bool has_codes = arguments == forms::Arguments::cosine_and_code;
-  bench::Grid grid;
-  for (std::size_t i = 0; i + (has_codes ? 1 : 0) < places.size(); ++i) grid.in[i] = places[i];
-  if (has_codes) {
-    for (const float code : places.back()) grid.codes.push_back(static_cast<std::uint8_t>(code));
-  }
-  return grid;
-}
-
 DeviceTarget target_on_device(const forms::Catalogue& catalogue, const forms::Target& target) {
   DeviceTarget made{{std::string(target.id), std::string(target.id) + ": " + std::string(target.text)},
                     {},
-                    places_of(bench::grid_of(target)),
-                    [=](const Places& places) {
-                      return bench::truth_at(grid_at(places, target.arguments), catalogue, target);
-                    }};
+                    bench::grid_of(target),
+                    [=](const Places& places) { return bench::truth_at(places, catalogue, target); }};
   for (const std::vector<float>& axis : made.places) {
     const auto [low, high] = std::minmax_element(axis.begin(), axis.end());
     made.ranges.push_back({*low, *high});

@@ -6,14 +6,14 @@
 
 #include "bench/device/times/timing_shader.hpp"
 #include "bench/forms/catalogue.hpp"
-#include "bench/tradeoff/trade.hpp"
+#include "bench/tradeoff/grid_errors.hpp"
 #include "fit/better/better_study.hpp"
 
 /// What is measured on a device: forms of the catalogue or of a study.
 namespace shadefit::device {
 
 /// The floats of each argument, the same number for all.
-using Places = std::vector<std::vector<float>>;
+using Places = bench::Grid;
 
 /// What forms approximate.
 struct DeviceTarget {
