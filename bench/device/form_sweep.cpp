@@ -19,32 +19,6 @@ struct SweptForm {
         panels(unit_panels()),
         bounds(bounds_on(panels, form.function, model)) {}
 
-  /// Computes the results for a stretch.
-  void prepare(const bench::Stretch& stretch) {
-    device->first = stretch.from;
-    device->results.resize(stretch.size());
-    evaluator.over_patterns(
-        stretch.from, stretch.to, [&](std::uint32_t from, std::span<const std::uint32_t> some) {
-          std::copy(some.begin(), some.end(), device->results.begin() + (from - stretch.from));
-        });
-  }
-
-  void form(const float* in, float* out, std::size_t count) const {
-    for (std::size_t i = 0; i < count; ++i)
-      out[i] = std::bit_cast<float>(device->results[std::bit_cast<std::uint32_t>(in[i]) - device->first]);
-  }
-
-  void bound(const float* in, double* middle, double* radius, std::size_t count) const {
-    const std::vector<double> cosines(in, in + count);
-    const std::array arguments{cosines.data()};
-    in_double(arguments, middle, count);
-    auto next = std::upper_bound(panels.begin(), panels.end(), std::bit_cast<std::uint32_t>(in[0]));
-    for (std::size_t i = 0; i < count; ++i) {  // the floats rise
-      while (next != panels.end() && *next <= std::bit_cast<std::uint32_t>(in[i])) ++next;
-      radius[i] = bounds[static_cast<std::size_t>(next - panels.begin()) - 1];
-    }
-  }
-
   std::shared_ptr<SweptDevice> device;
   ShaderCompiler compiler;
   Evaluator evaluator;
@@ -55,13 +29,33 @@ struct SweptForm {
 
 }  // namespace
 
-void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> device,
+void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> shared,
                      const FormFunction& form, const GpuModel& model) {
-  const auto swept = std::make_shared<SweptForm>(std::move(device), form, model);
-  subject.prepare = [swept](const bench::Stretch& stretch) { swept->prepare(stretch); };
-  subject.form = [swept](const float* in, float* out, std::size_t count) { swept->form(in, out, count); };
+  const auto swept = std::make_shared<SweptForm>(std::move(shared), form, model);
+  subject.prepare = [swept](const bench::Stretch& stretch) {
+    SweptDevice& device = *swept->device;
+    device.first = stretch.from;
+    device.results.resize(stretch.size());
+    swept->evaluator.over_patterns(
+        stretch.from, stretch.to, [&](std::uint32_t from, std::span<const std::uint32_t> some) {
+          std::copy(some.begin(), some.end(), device.results.begin() + (from - stretch.from));
+        });
+  };
+  subject.form = [swept](const float* in, float* out, std::size_t count) {
+    const SweptDevice& device = *swept->device;
+    for (std::size_t i = 0; i < count; ++i)
+      out[i] = std::bit_cast<float>(device.results[std::bit_cast<std::uint32_t>(in[i]) - device.first]);
+  };
   subject.bound = [swept](const float* in, double* middle, double* radius, std::size_t count) {
-    swept->bound(in, middle, radius, count);
+    const std::vector<double> cosines(in, in + count);
+    const std::array arguments{cosines.data()};
+    swept->in_double(arguments, middle, count);
+    const std::vector<std::uint32_t>& panels = swept->panels;
+    auto next = std::upper_bound(panels.begin(), panels.end(), std::bit_cast<std::uint32_t>(in[0]));
+    for (std::size_t i = 0; i < count; ++i) {  // the floats rise
+      while (next != panels.end() && *next <= std::bit_cast<std::uint32_t>(in[i])) ++next;
+      radius[i] = swept->bounds[static_cast<std::size_t>(next - panels.begin()) - 1];
+    }
   };
 }
 

@@ -248,7 +248,7 @@ struct VulkanDevice::Parts {
   void record(const Program& program, std::uint32_t groups, const PushWords& push) const {
     using Stage = vk::PipelineStageFlagBits;
     commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *program.parts().pipeline);
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *program.parts->pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, *set, {});
     commands.pushConstants<PushWords>(*layout, vk::ShaderStageFlagBits::eCompute, 0, push);
     if (info.has_timestamps) {
@@ -305,8 +305,8 @@ Program VulkanDevice::load(std::span<const std::uint32_t> spirv) const {
     vk::raii::ShaderModule module = device.createShaderModule({{}, spirv.size_bytes(), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     vk::raii::Pipeline pipeline = device.createComputePipeline(nullptr, {{}, stage, *parts_->layout});
-    return Program(
-        std::make_shared<const Program::Parts>(Program::Parts{std::move(module), std::move(pipeline)}));
+    return Program{
+        std::make_shared<const Program::Parts>(Program::Parts{std::move(module), std::move(pipeline)})};
   });
 }
 

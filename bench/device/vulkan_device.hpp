@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -48,14 +47,9 @@ struct DeviceChoice {
 };
 
 /// A shader that is ready to run. It must not outlive its device.
-class Program {
- public:
+struct Program {
   struct Parts;
-  explicit Program(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
-  const Parts& parts() const { return *parts_; }
-
- private:
-  std::shared_ptr<const Parts> parts_;
+  std::shared_ptr<const Parts> parts;
 };
 
 /// A device with two storage buffers of words: binding 0 is the output, binding 1 the input. Every function

@@ -45,18 +45,12 @@ struct FloatErrors {
   std::uint64_t nans = 0, above_one = 0, below_zero = 0;
   /// Results beyond the bound, and the smallest of their inputs in order. UINT32_MAX: no more.
   std::uint64_t beyond = 0;
-  std::array<std::uint32_t, 8> beyond_at = no_places();
+  std::array<std::uint32_t, 8> beyond_at{UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX,
+                                         UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
   bool operator==(const FloatErrors&) const = default;
 
   /// The number of tested inputs.
   std::uint64_t count() const;
-
- private:
-  static constexpr std::array<std::uint32_t, 8> no_places() {
-    std::array<std::uint32_t, 8> none{};
-    none.fill(UINT32_MAX);
-    return none;
-  }
 };
 
 /// Adds the errors on another stretch.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fit/support/hex_float.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -15,9 +16,7 @@ std::string text(const Stretch& stretch) {
 
 template <class Number>
 std::string text(const std::vector<Number>& numbers) {
-  std::vector<std::string> parts;
-  for (const Number number : numbers) parts.push_back(hex_text(number));
-  return fmt::format("({})", fmt::join(parts, ", "));
+  return "(" + joined(numbers, ", ", hex_text) + ")";
 }
 
 }  // namespace

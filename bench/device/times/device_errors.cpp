@@ -37,14 +37,6 @@ std::vector<float> read_values(std::span<const std::uint32_t> words) {
   return values;
 }
 
-std::size_t most_words(const DeviceForms& forms) {
-  std::size_t most = threads_per_group;
-  for (const DeviceTarget& target : forms.targets) {
-    if (!target.places.empty()) most = std::max(most, target.places.size() * target.places.front().size());
-  }
-  return most;
-}
-
 }  // namespace
 
 double largest_error(std::span<const float> values, std::span<const double> truth) {
@@ -58,7 +50,12 @@ double largest_error(std::span<const float> values, std::span<const double> trut
 }
 
 DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms) {
-  return {.place = place, .words = most_words(forms)};
+  DeviceChoice choice{.place = place, .words = threads_per_group};
+  for (const DeviceTarget& target : forms.targets) {
+    if (!target.places.empty())
+      choice.words = std::max(choice.words, target.places.size() * target.places.front().size());
+  }
+  return choice;
 }
 
 std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
