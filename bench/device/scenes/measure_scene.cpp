@@ -1,7 +1,5 @@
 #include "bench/device/scenes/measure_scene.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -25,12 +23,12 @@ constexpr double first_pass = 0.002;
 constexpr double empty_share = 0.05;
 
 /// The pixels of all materials that are not black.
-std::vector<ShaderPixel> pixels_of(const shade::Workload& workload, const scene::Scene& scene) {
+std::vector<ShaderPixel> lit_pixels(const shade::Workload& workload, const scene::Scene& scene) {
   std::vector<ShaderPixel> all;
   for (const shade::Visit& visit : workload.visits()) {
     if (shade::is_black(scene.materials[visit.material])) continue;
     const shade::SingleLights<float> single(workload.block<float>(visit));
-    auto pixels = pixels_of(single.block(), source_of(scene.materials[visit.material]), scene.conventions);
+    auto pixels = pixels_of(single.block(), scene.materials[visit.material].power_texture, scene.conventions);
     for (ShaderPixel& pixel : pixels) pixel.material = static_cast<std::uint32_t>(visit.material);
     all.insert(all.end(), pixels.begin(), pixels.end());
   }
@@ -156,7 +154,7 @@ shade::DeviceMeasurement measure_scene(SceneDevice& device, const scene::Scene& 
   const std::vector<shade::Errors> errors = shade::errors_of(workload, reference, ways, checkpoint);
   for (std::size_t i = 0; i < ways.size(); ++i) measured.ways[i].errors = errors[i];
 
-  const std::vector<ShaderPixel> pixels = pixels_of(workload, scene);
+  const std::vector<ShaderPixel> pixels = lit_pixels(workload, scene);
   if (pixels.empty()) return measured;
   Passes passes(device, shaders, pixels, timing.seconds);
   measured.pixels = passes.pixels();

@@ -5,20 +5,10 @@
 
 #include "approx/microfacet.hpp"
 #include "bench/device/dispatches.hpp"
-#include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
-namespace {
 
-/// The choice, with buffers that are large enough for a pass.
-DeviceChoice with_room(DeviceChoice choice, const PassSize& most) {
-  choice.words = planes_of_pixel * most.pixels + words_of_material * most.materials;
-  return choice;
-}
-
-}  // namespace
-
-std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, PowerSource source,
+std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, scene::PowerTexture source,
                                    const scene::Conventions& conventions) {
   std::vector<ShaderPixel> pixels;
   for (std::size_t i = 0; i < block.tiles * shade::tile_pixels; ++i) {
@@ -31,7 +21,10 @@ std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, PowerSource
   return pixels;
 }
 
-SceneDevice::SceneDevice(DeviceChoice choice, const PassSize& most) : device_(with_room(choice, most)) {}
+SceneDevice::SceneDevice(const DeviceChoice& choice, const PassSize& most)
+    : device_({.place = choice.place,
+               .words = planes_of_pixel * most.pixels + words_of_material * most.materials,
+               .is_watched = choice.is_watched}) {}
 
 Program SceneDevice::load(const SceneShader& shader) const {
   return device_.load(compiler_.spirv(glsl_of(shader), ShaderLanguage::glsl));

@@ -21,7 +21,7 @@ struct ShaderPixel {
 /// The pixels of a block: one light, one material. A roughness is computed from the block's alpha in double
 /// and rounded to float. This changes its power by up to 4e-7, relative; for a gloss g, by 1/(1 - g) times
 /// that.
-std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, PowerSource source,
+std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, scene::PowerTexture source,
                                    const scene::Conventions& conventions);
 
 /// The largest pass: at least one pixel.
@@ -31,9 +31,9 @@ struct PassSize {
 
 class SceneDevice {
  public:
-  /// A device with buffers that are large enough for the largest pass. `choice.words` is ignored. Throws as
-  /// `VulkanDevice` does.
-  SceneDevice(DeviceChoice choice, const PassSize& most);
+  /// A device with readable buffers that are large enough for the largest pass: of the choice only `place`
+  /// and `is_watched` count. Throws as `VulkanDevice` does.
+  SceneDevice(const DeviceChoice& choice, const PassSize& most);
 
   VulkanDevice& device() { return device_; }
 

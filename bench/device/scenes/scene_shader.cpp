@@ -27,13 +27,8 @@ ShaderMaterial material_of(const scene::Material& material) {
           .f90 = narrow.f90,
           .exponent = narrow.power,
           .normalisation = static_cast<float>(game_normalisation(full.power)),
-          .source = source_of(material),
+          .source = material.power_texture,
           .has_lobe = shade::is_black(material) ? 0U : 1U};
-}
-
-scene::Plan in_float(scene::Plan plan) {
-  plan.wanted.precision = scene::PixelPrecision::float32;
-  return plan;
 }
 
 /// The functions that decode a power, from the code of a plan in which every material has a lobe.
@@ -81,14 +76,14 @@ const ShaderFunction* find(const SceneShader& shader, std::string_view name) {
 /// Code that decodes the exponent of a pixel. Without a plan it also computes sharpness and normalisation.
 std::string decoding_lines(const SceneShader& shader) {
   std::string lines = fmt::format("  if (source == {}u) exponent = stored;\n",
-                                  static_cast<std::uint32_t>(PowerSource::power));
-  const auto decode = [&](const char* function, PowerSource source) {
+                                  static_cast<std::uint32_t>(scene::PowerTexture::power));
+  const auto decode = [&](const char* function, scene::PowerTexture source) {
     if (find(shader, function) == nullptr) return;
     lines += fmt::format("  if (source == {}u) exponent = {}(stored);\n", static_cast<std::uint32_t>(source),
                          function);
   };
-  decode("scene_exponent_of_roughness", PowerSource::roughness);
-  decode("scene_exponent_of_gloss", PowerSource::gloss);
+  decode("scene_exponent_of_roughness", scene::PowerTexture::roughness);
+  decode("scene_exponent_of_gloss", scene::PowerTexture::gloss);
   if (find(shader, "scene_sharpness") != nullptr)
     lines +=
         "  if (source != 0u) {\n"
@@ -113,14 +108,10 @@ std::string channel_of(const SceneShader& shader, char channel) {
 
 }  // namespace
 
-PowerSource source_of(const scene::Material& material) {
-  return static_cast<PowerSource>(material.power_texture);
-}
-
-SceneShader planned_shader(const scene::Scene& scene, const scene::Plan& plan) {
-  SceneShader shader{.functions = scene_functions(scene, in_float(plan)),
-                     .materials = {},
-                     .is_coloured = plan.shading.is_coloured};
+SceneShader planned_shader(const scene::Scene& scene, scene::Plan plan) {
+  plan.wanted.precision = scene::PixelPrecision::float32;
+  SceneShader shader{
+      .functions = scene_functions(scene, plan), .materials = {}, .is_coloured = plan.shading.is_coloured};
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     ShaderMaterial made = material_of(scene.materials[i]);
     const double power = scene.materials[i].powers.front().power;
@@ -141,14 +132,15 @@ SceneShader published_shader(const scene::Scene& scene) {
   return full_shader<shade::PublishedForms>(scene);
 }
 
-float stored_of_power(double power, PowerSource source, const scene::Conventions& conventions) {
-  if (source == PowerSource::power || source == PowerSource::material) return static_cast<float>(power);
+float stored_of_power(double power, scene::PowerTexture source, const scene::Conventions& conventions) {
+  if (source == scene::PowerTexture::power || source == scene::PowerTexture::none)
+    return static_cast<float>(power);
   // The inverse of `decode_gloss` with 10 doublings from 2.
-  if (source == PowerSource::gloss && conventions.is_gloss_exponential)
+  if (source == scene::PowerTexture::gloss && conventions.is_gloss_exponential)
     return static_cast<float>((std::log2(power) - 1) / 10);
   const double alpha = shade::alpha_of_power(power);
   const double roughness = conventions.is_roughness_squared ? std::sqrt(alpha) : alpha;
-  return static_cast<float>(source == PowerSource::gloss ? 1 - roughness : roughness);
+  return static_cast<float>(source == scene::PowerTexture::gloss ? 1 - roughness : roughness);
 }
 
 std::string glsl_of(const SceneShader& shader) {

@@ -12,18 +12,13 @@
 /// with full formulas for every term.
 namespace shadefit::device {
 
-/// Where the power of a pixel comes from: in the order of `scene::PowerTexture`.
-enum class PowerSource : std::uint32_t { material, roughness, gloss, power };
-
-PowerSource source_of(const scene::Material& material);
-
 /// A material as the shader reads it: each member is a word of 32 bits, in this order.
 struct ShaderMaterial {
   std::array<float, 3> f0 = {}, f90 = {};
   float exponent = 0, sharpness = 0, normalisation = 0;
-  float cutoff = 0;  ///< a light with a smaller n.h is dark
-  PowerSource source = PowerSource::material;
-  std::uint32_t has_lobe = 0;  ///< 1, or 0: the material stays black
+  float cutoff = 0;                                        ///< a light with a smaller n.h is dark
+  scene::PowerTexture source = scene::PowerTexture::none;  ///< where the power of a pixel comes from
+  std::uint32_t has_lobe = 0;                              ///< 1, or 0: the material stays black
   bool operator==(const ShaderMaterial&) const = default;
 };
 
@@ -39,7 +34,7 @@ struct SceneShader {
 };
 
 /// The shader of a plan, with its emitted functions. They compute in float, whatever precision the plan has.
-SceneShader planned_shader(const scene::Scene& scene, const scene::Plan& plan);
+SceneShader planned_shader(const scene::Scene& scene, scene::Plan plan);
 
 /// Shaders that compute every term of every material that is not black: with pow and Schlick's formula, and
 /// with the published constants. As on the CPU, a power that is not in a texture is prepared once for its
@@ -48,7 +43,7 @@ SceneShader reference_shader(const scene::Scene& scene);
 SceneShader published_shader(const scene::Scene& scene);
 
 /// The value that a texture stores for a power: a roughness, a gloss, or the power itself.
-float stored_of_power(double power, PowerSource source, const scene::Conventions& conventions);
+float stored_of_power(double power, scene::PowerTexture source, const scene::Conventions& conventions);
 
 /// The shader in GLSL, one thread for each pixel. Its push words are the first pixel, the number of pixels,
 /// the number of lights of each, and P, the number of all pixels. The input has planes of P words: n.h, n.l,
