@@ -19,13 +19,13 @@ struct Truth {
 Truth truth_of(const Results<double>& results) {
   Truth truth;
   truth.is_grey = results.channel(0) == results.channel(1) && results.channel(1) == results.channel(2);
-  for (std::size_t i = 0; i < (truth.is_grey ? 1U : 3U); ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     truth.linear[i] = results.channel(i);
-    for (const double value : truth.linear[i]) truth.codes[i].push_back(srgb_code(value));
-  }
-  for (std::size_t i = 1; truth.is_grey && i < 3; ++i) {
-    truth.linear[i] = truth.linear[0];
-    truth.codes[i] = truth.codes[0];
+    if (truth.is_grey && i > 0) {
+      truth.codes[i] = truth.codes[0];
+    } else {
+      for (const double value : truth.linear[i]) truth.codes[i].push_back(srgb_code(value));
+    }
   }
   return truth;
 }

@@ -9,9 +9,10 @@
 namespace shadefit::shade {
 namespace {
 
-std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::Plan& plan,
-                                        const Checkpoint& checkpoint) {
-  std::vector<scene::Plan> plans;
+/// The plan, then those of the sweep.
+std::vector<scene::Plan> with_sweep(const scene::Scene& scene, const scene::Plan& plan,
+                                    const Checkpoint& checkpoint) {
+  std::vector<scene::Plan> plans{plan};
   for (const double tolerance : swept_tolerances) {
     scene::Wanted wanted = plan.wanted;
     wanted.tolerance = tolerance * scene::on_scale(wanted.scale, 1);  // in codes relative to white, 255
@@ -106,8 +107,7 @@ std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
 Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
                     const bench::TimingPlan& timing, const Checkpoint& checkpoint,
                     const std::function<void(double)>& watch) {
-  std::vector<scene::Plan> plans{plan};
-  for (scene::Plan& swept : plans_of_sweep(scene, plan, checkpoint)) plans.push_back(std::move(swept));
+  const std::vector<scene::Plan> plans = with_sweep(scene, plan, checkpoint);
   const Workload workload(scene, plan.wanted.lights);
   const ReferenceWay reference(scene, kernels);
   std::vector<FloatWay> ways{
@@ -132,17 +132,13 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
   result.published_culled = {
       .name = "published, culled", .form = published, .ns = ns[2], .errors = errors[2]};
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    const MeasuredWay way{.name = "planned",
-                          .tolerance = plans[i].wanted.tolerance,
-                          .form = form_of(plans[i]),
-                          .ns = ns[first_planned + i],
-                          .errors = errors[first_planned + i],
-                          .allowed = allowed_error(plans[i])};
-    if (i == 0) {
-      result.planned = way;
-    } else {
-      result.sweep.push_back(way);
-    }
+    MeasuredWay& way = i == 0 ? result.planned : result.sweep.emplace_back();
+    way = {.name = "planned",
+           .tolerance = plans[i].wanted.tolerance,
+           .form = form_of(plans[i]),
+           .ns = ns[first_planned + i],
+           .errors = errors[first_planned + i],
+           .allowed = allowed_error(plans[i])};
   }
   result.skipped = skipped_by(scene, plan, workload, ways[first_planned]);
   return result;

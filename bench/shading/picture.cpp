@@ -94,32 +94,21 @@ ShownSphere shown_sphere(const Sphere& sphere, const Cosines& cosines, bool is_t
   return shown;
 }
 
-/// Three bytes a pixel, rows downwards.
-class Canvas {
- public:
-  Canvas(int width, int height)
-      : width_(width), bytes_(static_cast<std::size_t>(3 * width * height), static_cast<char>(ground_code)) {}
-
-  /// A sphere with its upper left corner there, blended with the ground around it.
-  void put(int left, int top, const std::vector<Colour>& colours) {
-    for (int row = 0; row < diameter; ++row) {
-      for (int column = 0; column < diameter; ++column) {
-        const double share = coverage(coordinate(column), coordinate(row));
-        const Colour& colour = colours[static_cast<std::size_t>(row * diameter + column)];
-        const auto at = static_cast<std::size_t>(3 * ((top + row) * width_ + left + column));
-        for (std::size_t c = 0; c < 3; ++c) {
-          const double code = share * std::min(colour[c], 255.0) + (1 - share) * ground_code;
-          bytes_[at + c] = static_cast<char>(static_cast<unsigned char>(std::lround(code)));
-        }
+/// Puts a sphere on a picture, with its upper left corner there, blended with the ground around it. A picture
+/// has three bytes a pixel, rows downwards.
+void put(std::string& picture, int width, int left, int top, const std::vector<Colour>& colours) {
+  for (int row = 0; row < diameter; ++row) {
+    for (int column = 0; column < diameter; ++column) {
+      const double share = coverage(coordinate(column), coordinate(row));
+      const Colour& colour = colours[static_cast<std::size_t>(row * diameter + column)];
+      const auto at = static_cast<std::size_t>(3 * ((top + row) * width + left + column));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double code = share * std::min(colour[c], 255.0) + (1 - share) * ground_code;
+        picture[at + c] = static_cast<char>(static_cast<unsigned char>(std::lround(code)));
       }
     }
   }
-  const std::string& bytes() const { return bytes_; }
-
- private:
-  int width_;
-  std::string bytes_;
-};
+}
 
 std::vector<Colour> difference(const ShownSphere& sphere, double factor) {
   std::vector<Colour> colours;
@@ -257,15 +246,15 @@ std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& pl
   rows.push_back(fmt::format("difference x {}", factor));
   const int width = left_of_rows + cell * std::max(static_cast<int>(spheres.size()), least_cells);
   const int height = above_rows + static_cast<int>(rows.size()) * cell + below_rows;
-  Canvas canvas(width, height);
+  std::string picture(static_cast<std::size_t>(3 * width * height), static_cast<char>(ground_code));
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const int left = left_of_rows + static_cast<int>(i) * cell + (cell - diameter) / 2;
     int top = above_rows + (cell - diameter) / 2;
-    canvas.put(left, top, shown[i].reference);
-    for (const std::vector<Colour>& way : shown[i].ways) canvas.put(left, top += cell, way);
-    canvas.put(left, top + cell, difference(shown[i], factor));
+    put(picture, width, left, top, shown[i].reference);
+    for (const std::vector<Colour>& way : shown[i].ways) put(picture, width, left, top += cell, way);
+    put(picture, width, left, top + cell, difference(shown[i], factor));
   }
-  return {{"plots/scene.rgb", canvas.bytes()},
+  return {{"plots/scene.rgb", picture},
           {"plots/scene.gnuplot", script_of(scene, spheres, rows, width, height)}};
 }
 

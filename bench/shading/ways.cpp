@@ -18,32 +18,28 @@ bool is_black(const scene::Material& material) {
   return material.is_unlit || scene::largest_reflectance(material) == 0;
 }
 
-FloatWay::FloatWay(const scene::Scene& scene, FullKernel<float> kernel) : full_(kernel) {
-  Full materials;
+FloatWay::FloatWay(const scene::Scene& scene, FullKernel<float> kernel) : full_kernel_(kernel) {
   for (const scene::Material& material : scene.materials) {
-    materials.emplace_back();
-    if (!is_black(material)) materials.back() = narrowed(full_material(material));
+    full_.emplace_back();
+    if (!is_black(material)) full_.back() = narrowed(full_material(material));
   }
-  materials_ = std::move(materials);
 }
 
 FloatWay::FloatWay(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels)
-    : planned_(kernels.planned), is_coloured_(plan.shading.is_coloured) {
-  Planned materials;
+    : planned_kernel_(kernels.planned), is_coloured_(plan.shading.is_coloured) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    materials.push_back(planned_material(scene.materials[i], plan.materials[i], plan.shading));
-  materials_ = std::move(materials);
+    planned_.push_back(planned_material(scene.materials[i], plan.materials[i], plan.shading));
 }
 
 std::size_t FloatWay::shade(const Block<float>& block, std::size_t material) const {
   if (!has_lobe(material)) return 0;
-  if (planned_ != nullptr) return planned_(block, *std::get<Planned>(materials_)[material]);
-  full_(block, *std::get<Full>(materials_)[material]);
+  if (planned_kernel_ != nullptr) return planned_kernel_(block, *planned_[material]);
+  full_kernel_(block, *full_[material]);
   return 0;
 }
 
 bool FloatWay::has_lobe(std::size_t material) const {
-  return std::visit([&](const auto& materials) { return materials[material].has_value(); }, materials_);
+  return planned_kernel_ != nullptr ? planned_[material].has_value() : full_[material].has_value();
 }
 
 Way way_of(const FloatWay& way) {

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "bench/shading/workload.hpp"
@@ -40,12 +39,11 @@ class FloatWay {
   bool is_coloured() const { return is_coloured_; }
 
  private:
-  using Full = std::vector<std::optional<FullMaterial<float>>>;
-  using Planned = std::vector<std::optional<PlannedMaterial>>;
-
-  std::variant<Full, Planned> materials_;
-  FullKernel<float> full_ = nullptr;
-  PlannedKernel planned_ = nullptr;
+  // With one of the kernels, and its materials; those without a lobe are empty.
+  FullKernel<float> full_kernel_ = nullptr;
+  PlannedKernel planned_kernel_ = nullptr;
+  std::vector<std::optional<FullMaterial<float>>> full_;
+  std::vector<std::optional<PlannedMaterial>> planned_;
   bool is_coloured_ = true;
 };
 
