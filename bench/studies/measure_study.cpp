@@ -28,7 +28,7 @@ using Loop = void (*)(const float* const* in, float* out, long size);
 
 /// A function of the code, and the rows that have its time.
 struct TimedFunction {
-  std::string name;
+  ShaderFunction function;
   std::vector<TimedForm> rows;
   std::size_t comparison;
   Operations operations = {};  ///< of a form
@@ -48,58 +48,55 @@ constexpr const char* compiler_code =
     "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
     "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
 
-/// The functions of a study as C code, and the rows that they time.
-class StudyCode {
- public:
-  StudyCode(const std::vector<TimedTarget>& targets, const std::vector<StudyComparison>& comparisons) {
-    for (std::size_t i = 0; i < comparisons.size(); ++i) {
-      const StudyComparison& comparison = comparisons[i];
-      const TimedTarget& target = targets[i];
-      add_target(comparison, target, i);
-      for (const StudyContender& contender : comparison.contenders) add(contender, comparison, target, i);
-    }
-    const std::array<std::string, 1> comment{"Timed by shadefit bench."};
-    code = shader_code(functions_, Language::c, ShaderPrecision::float32, comment) + compiler_code +
-           loop_of("copy", 1);
-    for (const TimedFunction& function : timed)
-      code += loop_of(function.name, comparisons[function.comparison].variables.size());
-  }
+/// Adds the target itself, if it is a formula that C has.
+void add_target(std::vector<TimedFunction>& timed, const StudyComparison& comparison,
+                const TimedTarget& target, std::size_t place) {
+  if (comparison.study.rows != nullptr) return;
+  const Symbolic formula = formulas_of(comparison, comparison.contenders.front()).target;
+  if (integral_depth(formula) > 0) return;
+  timed.push_back({{fmt::format("target_{}", place), comparison.variables, formula},
+                   {row_of(comparison, target)},
+                   place});
+}
 
+void add_form(std::vector<TimedFunction>& timed, const StudyContender& contender,
+              const StudyComparison& comparison, const TimedTarget& target, std::size_t place) {
+  if (integral_depth(contender.code) > 0)
+    throw UserError(fmt::format("bench has no code for 'integral' in the form '{}'", contender.formula));
+  TimedForm row = row_of(contender, target);
+  row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
+  for (TimedFunction& other : timed) {
+    if (other.comparison == place && other.rows.front().form == contender.form &&
+        other.operations == contender.operations)
+      return other.rows.push_back(row);
+  }
+  timed.push_back({{fmt::format("form_{}", timed.size()), comparison.variables, contender.code},
+                   {row},
+                   place,
+                   contender.operations});
+}
+
+std::vector<TimedFunction> timed_functions(const std::vector<TimedTarget>& targets,
+                                           const std::vector<StudyComparison>& comparisons) {
   std::vector<TimedFunction> timed;
-  std::string code;
-
- private:
-  /// Adds the target itself, if it is a formula that C has.
-  void add_target(const StudyComparison& comparison, const TimedTarget& target, std::size_t place) {
-    if (comparison.study.rows != nullptr) return;
-    const Symbolic formula = formulas_of(comparison, comparison.contenders.front()).target;
-    if (integral_depth(formula) > 0) return;
-    add(fmt::format("target_{}", place), formula, comparison.variables, place, row_of(comparison, target));
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    add_target(timed, comparisons[i], targets[i], i);
+    for (const StudyContender& contender : comparisons[i].contenders)
+      add_form(timed, contender, comparisons[i], targets[i], i);
   }
+  return timed;
+}
 
-  void add(const StudyContender& contender, const StudyComparison& comparison, const TimedTarget& target,
-           std::size_t place) {
-    if (integral_depth(contender.code) > 0)
-      throw UserError(fmt::format("bench has no code for 'integral' in the form '{}'", contender.formula));
-    TimedForm row = row_of(contender, target);
-    row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
-    for (TimedFunction& other : timed) {
-      if (other.comparison == place && other.rows.front().form == contender.form &&
-          other.operations == contender.operations)
-        return other.rows.push_back(row);
-    }
-    add(fmt::format("form_{}", timed.size()), contender.code, comparison.variables, place, row);
-    timed.back().operations = contender.operations;
+std::string code_of(const std::vector<TimedFunction>& timed) {
+  std::vector<ShaderFunction> functions;
+  std::string loops = loop_of("copy", 1);
+  for (const TimedFunction& one : timed) {
+    functions.push_back(one.function);
+    loops += loop_of(one.function.name, one.function.arguments.size());
   }
-
-  void add(const std::string& name, const Symbolic& formula, const std::vector<std::string>& variables,
-           std::size_t place, const TimedForm& row) {
-    functions_.push_back({name, variables, formula});
-    timed.push_back({name, {row}, place});
-  }
-
-  std::vector<ShaderFunction> functions_;
-};
+  const std::array<std::string, 1> comment{"Timed by shadefit bench."};
+  return shader_code(functions, Language::c, ShaderPrecision::float32, comment) + compiler_code + loops;
+}
 
 /// Points that cover the ranges of the variables evenly but unsorted: an additive recurrence. Its steps are
 /// the powers of 1/x with x^(n+1) = x + 1, which generalise the golden ratio (Roberts 2018, "The Unreasonable
@@ -175,15 +172,14 @@ Trade measure_study(const std::string& id, const std::vector<StudyComparison>& c
   Trade trade;
   for (const StudyComparison& comparison : comparisons)
     trade.targets.push_back(timed_target(id, comparisons, comparison));
-  const StudyCode source(trade.targets, comparisons);
+  const std::vector<TimedFunction> timed = timed_functions(trade.targets, comparisons);
   between(0);
-  const CompiledCode code(source.code);
+  const CompiledCode code(code_of(timed));
   const auto loop = [&](const std::string& name) { return reinterpret_cast<Loop>(code.at("loop_" + name)); };
   std::deque<Places> places;  // work points to them
   for (const StudyComparison& comparison : comparisons) places.emplace_back(comparison);
   std::vector<Work> work{places.front().work(loop("copy"))};
-  for (const TimedFunction& function : source.timed)
-    work.push_back(places[function.comparison].work(loop(function.name)));
+  for (const TimedFunction& one : timed) work.push_back(places[one.comparison].work(loop(one.function.name)));
   const std::vector<Samples> samples = time_interleaved(work, plan, clock, between);
 
   trade.machine = this_machine();
@@ -192,8 +188,8 @@ Trade measure_study(const std::string& id, const std::vector<StudyComparison>& c
   TimedForm& copy = trade.copies.emplace_back();
   copy.form = copy.label = "copy";
   copy.take(samples.front(), work.front());
-  for (std::size_t i = 0; i < source.timed.size(); ++i) {
-    for (const TimedForm& row : source.timed[i].rows)
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    for (const TimedForm& row : timed[i].rows)
       trade.forms.emplace_back(row).take(samples[i + 1], work[i + 1]);
   }
   relate(trade);
