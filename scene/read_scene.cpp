@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "fit/support/user_error.hpp"
@@ -20,11 +21,6 @@ Scene read_one_file(const std::filesystem::path& file, const Conventions& conven
       fmt::format("cannot read '{}': its name must end with .gltf, .glb, .mtl or .obj", file.string()));
 }
 
-template <class T>
-void append(std::vector<T>& all, std::vector<T> more) {
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 }  // namespace
 
 Scene read_scene(std::span<const std::filesystem::path> files, const Conventions& conventions) {
@@ -32,10 +28,10 @@ Scene read_scene(std::span<const std::filesystem::path> files, const Conventions
   scene.conventions = conventions;
   for (const std::filesystem::path& file : files) {
     Scene one = read_one_file(file, conventions);
-    append(scene.materials, std::move(one.materials));
-    append(scene.missing, std::move(one.missing));
-    append(scene.unused, std::move(one.unused));
-    append(scene.remarks, std::move(one.remarks));
+    std::ranges::move(one.materials, std::back_inserter(scene.materials));
+    std::ranges::move(one.missing, std::back_inserter(scene.missing));
+    std::ranges::move(one.unused, std::back_inserter(scene.unused));
+    std::ranges::move(one.remarks, std::back_inserter(scene.remarks));
     if (scene.materials.size() + scene.unused.size() > most_materials) {
       throw UserError(
           fmt::format("'{}': with it there are more than {} materials", file.string(), most_materials));

@@ -41,15 +41,11 @@ std::string scheme_of(std::string_view uri) {
   return scheme;
 }
 
-/// The value of a hexadecimal digit; 16 for any other character.
-unsigned hexadecimal_value(char c) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  return static_cast<unsigned>(std::min(digits.find(in_small_letters(c)), digits.size()));
-}
+constexpr std::string_view hexadecimal = "0123456789abcdef",
+                           base64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// The value of a base64 digit; 64 for any other character.
-unsigned base64_value(char c) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+/// The value of a digit; the number of digits for any other character.
+unsigned value_among(std::string_view digits, char c) {
   return static_cast<unsigned>(std::min(digits.find(c), digits.size()));
 }
 
@@ -60,7 +56,7 @@ std::string base64_decoded(std::string_view text) {
   bytes.reserve(text.size() / 4 * 3 + 2);
   unsigned pending = 0, bits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const unsigned value = base64_value(text[i]);
+    const unsigned value = value_among(base64, text[i]);
     if (value == 64) throw UserError(fmt::format("character {} of the base64 is not one of its 64", i + 1));
     pending = (pending << 6 | value) & 0xFFFF;
     bits += 6;
@@ -85,8 +81,10 @@ std::string percent_decoded(std::string_view uri) {
       text.push_back(uri[i]);
       continue;
     }
-    const unsigned high = i + 2 < uri.size() ? hexadecimal_value(uri[i + 1]) : 16;
-    const unsigned low = i + 2 < uri.size() ? hexadecimal_value(uri[i + 2]) : 16;
+    const auto digit = [&](std::size_t at) {
+      return i + 2 < uri.size() ? value_among(hexadecimal, in_small_letters(uri[at])) : 16;
+    };
+    const unsigned high = digit(i + 1), low = digit(i + 2);
     if (high == 16 || low == 16 || high + low == 0)
       throw UserError(fmt::format("character {} of the URI is a % without two digits of a byte", i + 1));
     text.push_back(static_cast<char>(high << 4 | low));

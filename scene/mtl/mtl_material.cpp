@@ -32,17 +32,11 @@ struct MtlReading {
     if (!map.name.empty()) return &map;
     return conventions.are_maps_pbr && !by_conventions.name.empty() ? &by_conventions : nullptr;
   }
+  /// map_Pr, or map_Ns by the conventions.
+  const ScalarMap* roughness_map() const { return first_of(entry.roughness_map, entry.shininess_map); }
+  /// map_Pm, or map_Ka by the conventions.
+  const ScalarMap* metallic_map() const { return first_of(entry.metallic_map, entry.ambient_map); }
 };
-
-/// The roughness map of a material, if any: map_Pr, or map_Ns by the conventions.
-const ScalarMap* roughness_map(const MtlReading& reading) {
-  return reading.first_of(reading.entry.roughness_map, reading.entry.shininess_map);
-}
-
-/// The metallic map, if any: map_Pm, or map_Ka by the conventions.
-const ScalarMap* metallic_map(const MtlReading& reading) {
-  return reading.first_of(reading.entry.metallic_map, reading.entry.ambient_map);
-}
 
 /// Ns, times map_Ns if there is one.
 void read_shininess(MtlReading& reading) {
@@ -88,7 +82,7 @@ void read_phong(MtlReading& reading) {
 
 void read_roughness(MtlReading& reading) {
   Material& material = reading.material;
-  const ScalarMap* const map = roughness_map(reading);
+  const ScalarMap* const map = reading.roughness_map();
   const auto roughness = reading.entry.roughness;
   const PowerOf power = [&](double value) { return power_of_roughness(value, reading.conventions); };
   if (map != nullptr) {
@@ -106,7 +100,7 @@ void read_roughness(MtlReading& reading) {
 }
 
 Range read_metallic(MtlReading& reading) {
-  const ScalarMap* const map = metallic_map(reading);
+  const ScalarMap* const map = reading.metallic_map();
   const double metallic = reading.entry.metallic.value_or(map != nullptr ? 1 : 0);
   if (map == nullptr) return {metallic, metallic};
   return range_of_texture(reading.read(*map, "metallic texture"), metallic);
@@ -162,7 +156,8 @@ Material mtl_material(const MtlEntry& entry, const std::string& file, MtlMapRead
   const std::string place = fmt::format("'{}', material '{}' of line {}", file, entry.name, entry.line);
   at_place(place, [&] {
     const bool is_metallic_roughness = entry.roughness || entry.metallic ||
-                                       roughness_map(reading) != nullptr || metallic_map(reading) != nullptr;
+                                       reading.roughness_map() != nullptr ||
+                                       reading.metallic_map() != nullptr;
     if (is_metallic_roughness) {
       read_metallic_roughness(reading);
     } else {

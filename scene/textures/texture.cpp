@@ -32,16 +32,10 @@ std::vector<Histogram> PictureReader::histograms(Bytes encoded, std::span<const 
   };
   std::vector<ChannelCount> counted;
   for (const Channel channel : channels) counted.push_back({channel});
-  switch (picture_format(encoded)) {
-    case PictureFormat::png:
-      count_png(encoded, check, counted);
-      break;
-    case PictureFormat::jpeg:
-      count_jpeg(encoded, check, counted);
-      break;
-    case PictureFormat::other:
-      throw UserError("the picture is neither PNG nor JPEG");
-  }
+  const PictureFormat format = picture_format(encoded);
+  if (format == PictureFormat::other) throw UserError("the picture is neither PNG nor JPEG");
+  const auto count_pixels = format == PictureFormat::png ? count_png : count_jpeg;
+  count_pixels(encoded, check, counted);
   std::vector<Histogram> found;
   for (const ChannelCount& count : counted) found.push_back(count.counts);
   return found;
