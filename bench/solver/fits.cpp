@@ -1,6 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <tuple>
@@ -14,21 +13,7 @@
 namespace shadefit::bench {
 namespace {
 
-/// The results of one pass.
-struct Tally {
-  int fits = 0;
-  int digits = most_digits;  ///< of the worst
-  bool have_all_converged = true;
-
-  void add(const Optimum& optimum) {
-    ++fits;
-    digits = std::min(digits, optimum.digits);
-    have_all_converged = have_all_converged && optimum.status == Status::converged;
-  }
-};
-
-/// Times one pass over all problems of a tuple of vectors; each has a `solve`. The counter `digits` shows a
-/// fast wrong answer. A fit that did not converge fails the benchmark.
+/// Times one pass over all problems of a tuple of vectors; each has a `solve`.
 template <class Problems>
 void measure(benchmark::State& state, const Problems& problems) {
   Tally tally;
@@ -40,11 +25,8 @@ void measure(benchmark::State& state, const Problems& problems) {
     std::apply([&](const auto&... family) { (solve_all(family), ...); }, problems);
     benchmark::DoNotOptimize(tally);
   }
-  if (!tally.have_all_converged) state.SkipWithError("a fit did not converge");
-  state.counters["digits"] = tally.digits;
-  state.counters["fits"] = tally.fits;
-  state.counters["per_fit"] = benchmark::Counter(
-      tally.fits, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  tally.show(state);
+  state.counters["fits"] = static_cast<double>(tally.fits);
 }
 
 template <class F>

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -34,5 +37,32 @@ std::vector<Problem<F>> problems(std::span<const Measure> measures, std::string_
   }
   return result;
 }
+
+/// The results of many fits.
+struct Tally {
+  long fits = 0;
+  double sum = 0;            ///< of the first parameters
+  int digits = most_digits;  ///< of the worst
+  bool have_all_converged = true;
+
+  void add(const Tally& more) {
+    fits += more.fits;
+    sum += more.sum;
+    digits = std::min(digits, more.digits);
+    have_all_converged = have_all_converged && more.have_all_converged;
+  }
+  void add(const Optimum& optimum) {
+    add({1, optimum.parameters[0], optimum.digits, optimum.status == Status::converged});
+  }
+
+  /// The counter `digits` shows a fast wrong answer. A fit that did not converge fails the benchmark.
+  void show(benchmark::State& state) const {
+    if (!have_all_converged) state.SkipWithError("a fit did not converge");
+    state.counters["digits"] = digits;
+    state.counters["per_fit"] =
+        benchmark::Counter(static_cast<double>(fits),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  }
+};
 
 }  // namespace shadefit::bench

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
+#include "bench/solver/problems.hpp"
 #include "fit/families/families.hpp"
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/support/parallel.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -21,43 +21,24 @@ double exponent(long i, long count) {
   return std::pow(10, -1 + 7 * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
 }
 
-/// The kept results of all fits.
-struct Reduced {
-  double sum = 0;  ///< of the parameters
-  int digits = most_digits;
-  bool have_all_converged = true;
-};
-
 /// Every `stride`-th exponent from `first` on: so that each thread has small and large ones, whose costs
 /// differ.
-Reduced fit_share(long first, long stride, long count) {
-  Reduced reduced;
-  for (long i = first; i < count; i += stride) {
-    const auto optimum = solve_least_squares(SgOffset{{exponent(i, count)}}, Metric{});
-    reduced.sum += optimum.parameters[0];
-    reduced.digits = std::min(reduced.digits, optimum.digits);
-    reduced.have_all_converged = reduced.have_all_converged && optimum.status == Status::converged;
-  }
-  return reduced;
+Tally fit_share(long first, long stride, long count) {
+  Tally tally;
+  for (long i = first; i < count; i += stride)
+    tally.add(solve_least_squares(SgOffset{{exponent(i, count)}}, Metric{}));
+  return tally;
 }
 
 /// Fits share nothing: each thread has its own exponents.
-Reduced fit_all(long count, long threads) {
-  std::vector<Reduced> parts(static_cast<std::size_t>(threads));
-  std::vector<std::thread> others;
-  for (long t = 1; t < threads; ++t) {
-    others.emplace_back([&part = parts[static_cast<std::size_t>(t)], t, threads, count] {
-      part = fit_share(t, threads, count);
-    });
-  }
-  parts[0] = fit_share(0, threads, count);
-  for (std::thread& other : others) other.join();
-  Reduced all;
-  for (const Reduced& part : parts) {
-    all.sum += part.sum;
-    all.digits = std::min(all.digits, part.digits);
-    all.have_all_converged = all.have_all_converged && part.have_all_converged;
-  }
+Tally fit_all(long count, long threads) {
+  std::vector<Tally> parts(static_cast<std::size_t>(threads));
+  for_each_in_parallel(
+      parts.size(),
+      [&](std::size_t t, const Checkpoint&) { parts[t] = fit_share(static_cast<long>(t), threads, count); },
+      {.threads = static_cast<unsigned>(threads)});
+  Tally all;
+  for (const Tally& part : parts) all.add(part);
   return all;
 }
 
@@ -79,18 +60,14 @@ void measure(benchmark::State& state) {
   const long count = state.range(0), threads = state.range(1);
   forget_peak();
   const double before = resident_mb("VmRSS");
-  Reduced reduced;
+  Tally tally;
   for (auto _ : state) {
-    reduced = fit_all(count, threads);
-    benchmark::DoNotOptimize(reduced);
+    tally = fit_all(count, threads);
+    benchmark::DoNotOptimize(tally);
   }
-  if (!reduced.have_all_converged) state.SkipWithError("a fit did not converge");
-  state.counters["digits"] = reduced.digits;
+  tally.show(state);
   state.counters["growth_MB"] = std::max(0.0, resident_mb("VmHWM") - before);
   state.counters["peak_MB"] = resident_mb("VmHWM");
-  state.counters["per_fit"] =
-      benchmark::Counter(static_cast<double>(count),
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace
