@@ -113,30 +113,21 @@ std::vector<double> polished(const shadefit::StudyError& error, const shadefit::
   return moved(near, inverse, shadefit::SampledStudy<long double>(error, nodes).gradient(wide).gradient);
 }
 
-/// One descent from a start on 30 nodes of each variable, of a study that is read outside the timed part.
-std::function<Answer()> descent(const shadefit::Study& study, const std::vector<double>& start) {
-  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
-  const auto error = std::make_shared<const shadefit::StudyError>(*read);
-  return [=] {
-    const shadefit::SampledStudy<double> sampled(*error, thirty_nodes(*read));
-    return answer_of(read->parameters,
-                     shadefit::search_basins(*error, sampled, sampled, {0, 0, {start}}).front().parameters);
-  };
-}
-
-/// The same and Newton's polish, for all digits.
-std::function<Answer()> polished_descent(const shadefit::Study& study, const std::vector<double>& start) {
+/// One descent from a start on 30 nodes of each variable, of a study that is read outside the timed part. If
+/// it is polished by Newton's method it has all digits.
+std::function<Answer()> descent(const shadefit::Study& study, const std::vector<double>& start,
+                                bool is_polished) {
   const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
   const auto error = std::make_shared<const shadefit::StudyError>(*read);
   return [=] {
     const shadefit::StudyNodes nodes = thirty_nodes(*read);
     const shadefit::SampledStudy<double> sampled(*error, nodes);
-    const auto end = shadefit::search_basins(*error, sampled, sampled, {0, 0, {start}}).front();
-    return answer_of(read->parameters, polished(*error, nodes, sampled, end.parameters));
+    const auto end = shadefit::search_basins(*error, sampled, sampled, {0, 0, {start}}).front().parameters;
+    return answer_of(read->parameters, is_polished ? polished(*error, nodes, sampled, end) : end);
   };
 }
 
-/// The same without it, with the nodes made outside the timed part too.
+/// The same without the polish, with the nodes made outside the timed part too.
 std::function<Answer()> descent_on_ready_nodes(const shadefit::Study& study,
                                                const std::vector<double>& start) {
   const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
@@ -174,9 +165,9 @@ std::vector<Variant> other_tasks() {
          return fit_of(started, {{"a", -5}, {"b", -5}});
        }},
       {"T1", "as a study, nodes and one descent from a given start", Standing::listed,
-       descent(pair_study, {-5, -5})},
+       descent(pair_study, {-5, -5}, false)},
       {"T1", "as a study, nodes, one descent and Newton's polish from a given start", Standing::listed,
-       polished_descent(pair_study, {-5, -5})},
+       descent(pair_study, {-5, -5}, true)},
       {"T7", "from text, with a search", Standing::judged, [=] { return fit_of(plane); }},
       {"T7", "one descent, 30 x 30 nodes ready", Standing::listed,
        descent_on_ready_nodes(plane, {1, 0, 0, 0, 0, 0, 0, 0})}};
