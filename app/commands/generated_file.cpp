@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -98,9 +99,7 @@ std::string shell_text(const std::vector<std::string>& words) {
       text += " " + word;
       continue;
     }
-    text += " '";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += "'";
+    text += " '" + boost::replace_all_copy(word, "'", "'\\''") + "'";
   }
   return text;
 }
@@ -112,12 +111,6 @@ std::string command_text(const std::vector<std::string>& words) {
           fmt::format("'{}' cannot stand in a comment of code: it has control characters", printable(word)));
   }
   return shell_text(words);
-}
-
-/// A text with our line ends: a checkout may have changed them.
-std::string with_plain_ends(std::string text) {
-  for (std::size_t i = 0; (i = text.find("\r\n", i)) != std::string::npos;) text.erase(i, 1);
-  return text;
 }
 
 /// Code with the line that names its command replaced.
@@ -141,7 +134,8 @@ std::vector<std::string> from_here(std::vector<std::string> words, const std::fi
 }
 
 Outcome check_generated_file(const std::string& file, FindingFormat format, const Checkpoint& checkpoint) {
-  const std::string code = with_plain_ends(read_file(file));
+  // A checkout may have changed the line ends.
+  const std::string code = boost::replace_all_copy(read_file(file), "\r\n", "\n");
   const std::vector<std::string> command = command_in(code, file);
   Outcome now = run_command_line(from_here(command, std::filesystem::path(file).parent_path()), checkpoint);
   if (!now.err.empty()) return now;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/core/noncopyable.hpp>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -52,7 +53,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 
 /// gnuplot's messages, in an unlinked file of `directory`. Its descriptor is above the standard ones even if
 /// those were closed, and is not inherited.
-class Transcript {
+class Transcript : boost::noncopyable {
  public:
   explicit Transcript(const fs::path& directory) {
     std::string name = (directory / ".transcript-XXXXXX").string();
@@ -67,8 +68,6 @@ class Transcript {
   ~Transcript() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  Transcript(const Transcript&) = delete;
-  Transcript& operator=(const Transcript&) = delete;
 
   /// Why there is no transcript; empty if there is one.
   const std::string& error() const { return error_; }
@@ -97,7 +96,7 @@ class Transcript {
 };
 
 /// The settings of posix_spawn, freed by the destructor.
-struct SpawnSettings {
+struct SpawnSettings : boost::noncopyable {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   SpawnSettings() {
@@ -108,20 +107,14 @@ struct SpawnSettings {
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
   }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
-/// The picture of a plot, and its script.
+/// The picture of a plot.
 std::string picture_file(const std::string& name) {
   return name.ends_with(".png") || name.ends_with(".pdf") ? name : name + ".svg";
 }
-std::string script_file(const std::string& name) {
-  return fs::path(picture_file(name)).replace_extension(".gnuplot").string();
-}
-
 /// A gnuplot process for one script. It ends with `finish`; otherwise the destructor ends it.
-class Drawing {
+class Drawing : boost::noncopyable {
  public:
   Drawing(const fs::path& gnuplot, const fs::path& directory, const std::string& name)
       : name_(name),
@@ -137,8 +130,6 @@ class Drawing {
     if (process_ > 0) kill();
     remove(partial_);
   }
-  Drawing(const Drawing&) = delete;
-  Drawing& operator=(const Drawing&) = delete;
 
   /// Waits for gnuplot and moves the picture to its place, or returns why there is none.
   std::optional<FailedPlot> finish(std::chrono::seconds longest, const Checkpoint& checkpoint) {
@@ -171,7 +162,8 @@ class Drawing {
     posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     // -d: no startup file of the user's.
     std::vector<std::string> arguments{"gnuplot", "-d", "-e",
-                                       "output = '" + partial_.filename().string() + "'", script_file(name_)};
+                                       "output = '" + partial_.filename().string() + "'",
+                                       fs::path(picture_file(name_)).replace_extension(".gnuplot").string()};
     auto environment = environment_of_gnuplot();
     const int error = ::posix_spawn(&process_, gnuplot.c_str(), actions, &settings.attributes,
                                     pointers_to(arguments).data(), pointers_to(environment).data());

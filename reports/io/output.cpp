@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <boost/core/noncopyable.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -32,7 +33,7 @@ inline std::string words_of(int error) {
 
 /// A directory, created together with missing directories above it. Unless they are kept, they are removed
 /// again.
-class Directory {
+class Directory : boost::noncopyable {
  public:
   explicit Directory(const fs::path& directory) {
     std::error_code error;
@@ -45,8 +46,6 @@ class Directory {
     }
   }
   ~Directory() { remove(); }
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
 
   void keep() { created_.clear(); }
 
@@ -61,7 +60,7 @@ class Directory {
 
 /// A lock on a directory, released with the process at the latest. Without support by the file system it
 /// locks nothing.
-class Lock {
+class Lock : boost::noncopyable {
  public:
   explicit Lock(const fs::path& directory)
       : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -73,8 +72,6 @@ class Lock {
   ~Lock() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
 
  private:
   int descriptor_;
@@ -82,7 +79,7 @@ class Lock {
 
 /// A new directory inside another, so that what is written there can be renamed to its place. Its name is
 /// unique, so no foreign file is in the way. Removed at the end, unless it contains a foreign file.
-class Workshop {
+class Workshop : boost::noncopyable {
  public:
   explicit Workshop(const fs::path& directory) {
     std::string name = (directory / ".shadefit-XXXXXX").string();
@@ -93,8 +90,6 @@ class Workshop {
     std::error_code ignored;
     fs::remove(path_, ignored);
   }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
 
   fs::path operator/(const std::string& name) const { return path_ / name; }
 
@@ -103,7 +98,7 @@ class Workshop {
 };
 
 /// Writes or removes one file. The old file is restored unless the change is finished.
-class FileChange {
+class FileChange : boost::noncopyable {
  public:
   /// `fresh` is the new file, empty where the place is to be empty; the old one is kept as `kept`.
   FileChange(fs::path place, fs::path fresh, fs::path kept)
@@ -114,8 +109,6 @@ class FileChange {
     if (!fresh_.empty()) fs::remove(fresh_, ignored);
     if (has_kept_) fs::remove(kept_, ignored);
   }
-  FileChange(const FileChange&) = delete;
-  FileChange& operator=(const FileChange&) = delete;
 
   /// Writes the new file, with the mode and the owner of the old one.
   void write(std::string_view content) {

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
+#include <boost/locale/utf.hpp>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -23,20 +22,11 @@ struct CodePoint {
 /// The first code point of `text`. Its length is 0 if `text` is empty or does not begin with a code point: a
 /// byte out of place, a sequence that is cut off or longer than needed, a surrogate, a value above U+10FFFF.
 inline CodePoint first_code_point(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  // The first byte of a longer sequence begins with as many ones as the sequence has bytes.
-  const int ones = text.empty() ? 0 : std::countl_one(byte(0));
-  const std::size_t length = ones == 0 ? 1 : static_cast<std::size_t>(ones);
-  constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
-  if (text.size() < length || ones == 1 || length >= least.size()) return {};
-  char32_t value = byte(0) & (0x7FU >> ones);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    value = value << 6 | (byte(i) & 0x3FU);
-  }
-  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
-  if (value < least[length] || is_surrogate || value > 0x10FFFF) return {};
-  return {length, value};
+  namespace utf = boost::locale::utf;
+  const char* behind = text.data();
+  const utf::code_point value = utf::utf_traits<char>::decode(behind, text.data() + text.size());
+  if (value == utf::illegal || value == utf::incomplete) return {};
+  return {static_cast<std::size_t>(behind - text.data()), value};
 }
 
 /// Whether a code point could forge a line on a terminal: control characters (C0, DEL, C1), ends of lines

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <map>
 #include <set>
@@ -41,9 +42,7 @@ std::string letters_and_digits(std::string_view text) {
 
 /// BibTeX separates authors by "and".
 std::string with_and(std::string_view authors) {
-  std::string out(authors);
-  for (std::size_t i = 0; (i = out.find(", ", i)) != std::string::npos;) out.replace(i, 2, " and ");
-  return out;
+  return boost::replace_all_copy(std::string(authors), ", ", " and ");
 }
 
 /// The text, with the letters that LaTeX would read as commands escaped.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -64,12 +65,6 @@ constexpr std::array<Replacement, 9> read_names{{{"cosine", "\\cos"},
                                                  {"vm", "v \\cdot m"},
                                                  {"vn", "v \\cdot n"}}};
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 std::string latex_number(const std::string& s) {
   const auto e = s.find_first_of("eE");
   if (e == std::string::npos) return s;
@@ -121,14 +116,14 @@ std::string latex_relation(const std::string& s, const NameList& names) {
 
 /// A formula of a statement, or a range of whole numbers, "k = 3..15", without the dollars.
 std::string latex_of_statement(std::string formula) {
-  for (const auto& [written, read] : readings) formula = replaced(formula, written, read);
+  for (const auto& [written, read] : readings) boost::replace_all(formula, written, read);
   NameList names = statement_names();
   for (const auto& [name, latex] : read_names) names.push_back(name);
   const std::size_t dots = formula.find("..");
   std::string out = latex_relation(formula.substr(0, dots), names);
   if (dots != std::string::npos) out += ", \\ldots, " + latex_relation(formula.substr(dots + 2), names);
   for (const auto& [name, latex] : read_names)
-    out = replaced(out, "\\mathrm{" + std::string(name) + "}", latex);
+    boost::replace_all(out, "\\mathrm{" + std::string(name) + "}", latex);
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -63,21 +64,11 @@ std::string padded(const std::string& s, std::size_t to, bool right) {
 
 std::string csv_cell(const std::string& s) {
   if (s.find_first_of(",\"\n\r") == std::string::npos) return s;
-  std::string quoted = "\"";
-  for (const char c : s) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
+  return '"' + boost::replace_all_copy(s, "\"", "\"\"") + '"';
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {
   return joined(cells, ",", csv_cell) + '\n';
-}
-
-std::string without_pipes(std::string s) {
-  for (std::size_t i = 0; (i = s.find('|', i)) != std::string::npos; i += 2) s.insert(i, 1, '\\');
-  return s;
 }
 
 /// "max_abs_error" as "max abs error".
@@ -223,7 +214,8 @@ std::string write_csv(const Table& table, Precision precision) {
 
 std::string write_markdown(const Table& table, Precision precision) {
   auto rows = texts(table, precision);
-  for (auto& row : rows) std::ranges::transform(row, row.begin(), without_pipes);
+  for (auto& row : rows)
+    for (std::string& cell : row) boost::replace_all(cell, "|", "\\|");
   const auto width_of = widths(table, rows, 3);
   const std::vector<bool> are_numeric = numeric_columns(table);
   const auto line = [&](const std::vector<std::string>& cells) {
@@ -286,13 +278,8 @@ std::string with_coloured_verdicts(std::string text, const Terminal& terminal) {
        {name(Verdict::refuted), "\x1b[31m"},
        {name(Status::not_converged), "\x1b[31m"}}};
   if (!terminal.has_colour) return text;
-  constexpr std::string_view plain = "\x1b[0m";
-  for (const auto& [word, colour] : colours) {
-    for (std::size_t i = 0; (i = text.find(word, i)) != std::string::npos; i += word.size() + plain.size()) {
-      text.insert(i + word.size(), plain).insert(i, colour);
-      i += colour.size();
-    }
-  }
+  for (const auto& [word, colour] : colours)
+    boost::replace_all(text, word, fmt::format("{}{}\x1b[0m", colour, word));
   return text;
 }
 
