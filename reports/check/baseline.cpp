@@ -12,28 +12,21 @@
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/csv.hpp"
-#include "reports/rows/comparisons.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/sections/ledger_section.hpp"
-#include "reports/sections/sections.hpp"
+#include "reports/sections/report.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {
 
-constexpr const char* better_file = "better.csv";
-constexpr const char* claims_file = "claims.csv";
 constexpr const char* fits_file = "fits.csv";
-constexpr const char* fresnel_file = "fresnel.csv";
-constexpr const char* normalisation_file = "normalization.csv";
-constexpr const char* reflectance_file = "reflectance.csv";
 
 /// The size limit of a table; the largest committed one has 70 KB. Even a short cell takes 32 bytes in
 /// memory.
 constexpr std::uintmax_t most_table_bytes = 4U << 20;
 
-constexpr std::array baseline_files{fits_file,    normalisation_file, reflectance_file,
-                                    fresnel_file, claims_file,        better_file};
+constexpr std::array baseline_files{fits_file,     "normalization.csv", "reflectance.csv",
+                                    "fresnel.csv", "claims.csv",        "better.csv"};
 
 constexpr std::array key_columns{"claim",      "constant", "parameter", "exponent",   "measure",
                                  "view_angle", "surface",  "ior",       "wavelength", "curve",
@@ -134,36 +127,15 @@ CsvTable as_csv(const Table& table, const std::string& name) {
 }
 
 /// The table of a file of the baseline, which must have these columns.
-CsvTable parse_with_columns(const std::string& content, const std::string& path,
-                            const std::vector<std::string>& columns) {
-  CsvTable table = parse_csv(content, path);
-  if (table.columns != columns) {
-    throw UserError(fmt::format("'{}' has other columns ({}): they must be {}", path,
-                                fmt::join(table.columns, ","), fmt::join(columns, ",")));
-  }
-  return table;
-}
-
 OldTable parse_checked(const Baseline& baseline, const std::string& name,
                        const std::vector<std::string>& columns) {
   const auto file = std::ranges::find(baseline.files, name, &File::name);
   const std::filesystem::path path = baseline.directory / name;
-  return {name, path.lexically_normal().generic_string(),
-          parse_with_columns(file->content, path.string(), columns)};
-}
-
-struct NamedTable {
-  const char* file;
-  Table table;
-};
-
-/// The tables that are compared as text.
-std::vector<NamedTable> plain_tables(const Results& results) {
-  return {{normalisation_file, normalisation_table(results.normalisations)},
-          {reflectance_file, reflectance_table(results.reflectances)},
-          {fresnel_file, fresnel_table(results.fresnel_chain)},
-          {claims_file, claims_table(results.claims)},
-          {better_file, comparisons_table(results.comparisons, Precision::report)}};
+  const CsvTable table = parse_csv(file->content, path.string());
+  if (table.columns != columns)
+    throw UserError(fmt::format("'{}' has other columns ({}): they must be {}", path.string(),
+                                fmt::join(table.columns, ","), fmt::join(columns, ",")));
+  return {name, path.lexically_normal().generic_string(), table};
 }
 
 }  // namespace

@@ -99,17 +99,24 @@ std::string write_latex_tables(const Results& results) {
   return out;
 }
 
+std::vector<NamedTable> plain_tables(const Results& results) {
+  return {{"normalization.csv", normalisation_table(results.normalisations)},
+          {"reflectance.csv", reflectance_table(results.reflectances)},
+          {"fresnel.csv", fresnel_table(results.fresnel_chain)},
+          {"claims.csv", claims_table(results.claims)},
+          {"better.csv", comparisons_table(results.comparisons, Precision::report)}};
+}
+
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
-  return {
-      {"report.md", write_report(results, figures)},
-      {"summary.md", write_summary(results)},
-      {"better.csv", write_csv(comparisons_table(results.comparisons, Precision::report), Precision::report)},
-      {"claims.csv", write_csv(claims_table(results.claims), Precision::report)},
-      {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
-      {"fresnel.csv", write_csv(fresnel_table(results.fresnel_chain), Precision::report)},
-      {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
-      {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)},
-      {"tables.tex", write_latex_tables(results)}};
+  std::vector<File> tables{{"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)}};
+  for (const auto& [file, table] : plain_tables(results))
+    tables.push_back({file, write_csv(table, Precision::report)});
+  std::ranges::sort(tables, {}, &File::name);
+  std::vector<File> files{{"report.md", write_report(results, figures)},
+                          {"summary.md", write_summary(results)}};
+  files.insert(files.end(), tables.begin(), tables.end());
+  files.push_back({"tables.tex", write_latex_tables(results)});
+  return files;
 }
 
 }  // namespace shadefit
