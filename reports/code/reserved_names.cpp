@@ -1,9 +1,11 @@
 #include "reports/code/shader_code.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <initializer_list>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "reports/code/reserved_words.hpp"
 
@@ -55,7 +57,7 @@ bool is_opaque_type(std::string_view name) {
 }
 
 /// A function of a library like C's, with its suffix for float, long double, _FloatN or a decimal type.
-bool is_c_function(std::string_view name, WordList functions = reserved::c_functions) {
+bool is_c_function(std::string_view name, WordList functions) {
   for (const std::string_view suffix : {"", "f", "l", "f16", "f32", "f64", "f128", "f32x", "f64x", "d32",
                                         "d64", "d128", "_r", "f_r", "l_r"}) {
     if (name.ends_with(suffix) && holds_word(functions, name.substr(0, name.size() - suffix.size())))
@@ -64,82 +66,60 @@ bool is_c_function(std::string_view name, WordList functions = reserved::c_funct
   return false;
 }
 
-/// A function of OpenCL C on vectors, atomics, work groups or the bits of types begins so.
-bool has_opencl_prefix(std::string_view name) {
-  constexpr std::array prefixes{"as_",   "convert_", "vload",       "vstore",
-                                "atom_", "atomic_",  "work_group_", "sub_group_"};
-  return std::ranges::any_of(prefixes, [&](const char* p) { return name.starts_with(p); });
+bool is_vector(std::string_view name) {
+  return holds_word(reserved::vector_types, base_of_type(name));
 }
 
-bool is_any_of(std::string_view name, std::initializer_list<WordList> lists) {
-  return std::ranges::any_of(lists, [&](WordList list) { return holds_word(list, name); });
+bool is_glsl_type(std::string_view name) {
+  return is_vector(name) || is_opaque_type(name);
 }
 
-bool is_word(std::string_view name, Language language) {
-  const bool is_type = holds_word(reserved::vector_types, base_of_type(name));
+/// The names that mean something in a language.
+struct ReservedNames {
+  std::vector<WordList> words;
+  std::vector<WordList> functions;
+  std::vector<WordList> c_functions;  ///< also with the suffixes of C
+  /// Forms of names that a language reserves for itself and its implementations; '*' is any text.
+  WordList forms;
+  bool (*is_type)(std::string_view name) = [](std::string_view) { return false; };
+};
+
+ReservedNames reserved_in(Language language) {
+  using namespace reserved;
   switch (language) {
     case Language::glsl:
-      return is_type || is_opaque_type(name) || is_any_of(name, {reserved::c_words, reserved::glsl_words});
+      return {{c_words, glsl_words}, {glsl_functions}, {}, "*__* gl_*", is_glsl_type};
     case Language::hlsl:
-      return is_type || is_any_of(name, {reserved::c_words, reserved::hlsl_words});
+      return {{c_words, hlsl_words}, {hlsl_functions}, {}, "*__*", is_vector};
     case Language::c:
-      return is_any_of(name, {reserved::c_words, reserved::only_c_words});
+      return {{c_words, only_c_words}, {}, {c_functions}, "*__* _* *_t"};  // the last by POSIX.1, 2.2.2
     case Language::cpp:
-      return is_any_of(name, {reserved::c_words, reserved::cpp_words});
+      return {{c_words, cpp_words}, {cpp_functions}, {c_functions}, "*__* _* *_t"};
     case Language::wgsl:
-      return holds_word(reserved::wgsl_words, name);
+      return {{wgsl_words}, {wgsl_functions}, {}, "_ __*"};
     case Language::msl:
-      return is_type || is_any_of(name, {reserved::c_words, reserved::cpp_words, reserved::msl_words});
+      return {{c_words, cpp_words, msl_words}, {msl_functions}, {}, "*__* _*", is_vector};
     case Language::cuda:
-      return is_type || is_any_of(name, {reserved::c_words, reserved::cpp_words, reserved::cuda_words});
+      return {{c_words, cpp_words, cuda_words},
+              {cpp_functions},
+              {c_functions, cuda_functions},
+              "*__* _* *_t make_*",
+              is_vector};
     case Language::opencl:
-      return is_opencl_vector(name) || is_any_of(name, {reserved::c_words, reserved::opencl_words});
+      // Functions on the bits of types, vectors, atomics and work groups have the other forms.
+      return {{c_words, opencl_words},
+              {opencl_functions},
+              {},
+              "*__* _* as_* convert_* vload* vstore* atom_* atomic_* work_group_* sub_group_*",
+              is_opencl_vector};
   }
-  return false;
+  return {};
 }
 
-bool is_function(std::string_view name, Language language) {
-  switch (language) {
-    case Language::glsl:
-      return holds_word(reserved::glsl_functions, name);
-    case Language::hlsl:
-      return holds_word(reserved::hlsl_functions, name);
-    case Language::c:
-      return is_c_function(name);
-    case Language::cpp:
-      return is_c_function(name) || holds_word(reserved::cpp_functions, name);
-    case Language::wgsl:
-      return holds_word(reserved::wgsl_functions, name);
-    case Language::msl:
-      return holds_word(reserved::msl_functions, name);
-    case Language::cuda:
-      return is_c_function(name) || is_c_function(name, reserved::cuda_functions) ||
-             holds_word(reserved::cpp_functions, name);
-    case Language::opencl:
-      return holds_word(reserved::opencl_functions, name);
-  }
-  return false;
-}
-
-/// Forms of names that a language reserves for itself and its implementations.
-bool is_reserved_form(std::string_view name, Language language) {
-  const bool has_two = name.find("__") != std::string_view::npos;
-  switch (language) {
-    case Language::glsl:
-      return has_two || name.starts_with("gl_");
-    case Language::wgsl:
-      return name == "_" || name.starts_with("__");
-    case Language::hlsl:
-      return has_two;
-    case Language::c:
-    case Language::cpp:
-      return has_two || name.starts_with('_') || name.ends_with("_t");  // the last by POSIX.1, 2.2.2
-    case Language::cuda:
-      return has_two || name.starts_with('_') || name.ends_with("_t") || name.starts_with("make_");
-    case Language::msl:
-      return has_two || name.starts_with('_');
-    case Language::opencl:
-      return has_two || name.starts_with('_') || has_opencl_prefix(name);
+bool has_form_of(WordList forms, const std::string& name) {
+  std::istringstream each{std::string(forms)};
+  for (std::string form; each >> form;) {
+    if (::fnmatch(form.c_str(), name.c_str(), 0) == 0) return true;
   }
   return false;
 }
@@ -147,9 +127,13 @@ bool is_reserved_form(std::string_view name, Language language) {
 }  // namespace
 
 std::string_view reason_to_refuse_name(std::string_view name, Language language) {
-  if (is_word(name, language)) return "it is a word of the language";
-  if (is_function(name, language)) return "it is a function of the language or its library";
-  if (is_reserved_form(name, language)) return "names of that form are reserved";
+  const ReservedNames names = reserved_in(language);
+  const auto is_in = [&](WordList words) { return holds_word(words, name); };
+  const auto is_c_function_in = [&](WordList functions) { return is_c_function(name, functions); };
+  if (std::ranges::any_of(names.words, is_in) || names.is_type(name)) return "it is a word of the language";
+  if (std::ranges::any_of(names.functions, is_in) || std::ranges::any_of(names.c_functions, is_c_function_in))
+    return "it is a function of the language or its library";
+  if (has_form_of(names.forms, std::string(name))) return "names of that form are reserved";
   return "";
 }
 
