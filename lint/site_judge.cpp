@@ -61,7 +61,7 @@ PartOfText part_with(const ScannedText& whole, std::size_t first, std::size_t la
   PartOfText part;
   std::size_t done = literals[first].offset - std::min(literals[first].offset, most_bytes_around);
   for (std::size_t i = first; i <= last; ++i) {
-    Literal literal = literals[i];
+    Literal& literal = part.literals.emplace_back(literals[i]);
     part.text += text.substr(done, literal.offset - done);
     done = literal.offset + literal.length;
     std::string digits(text.substr(literal.offset, literal.length));
@@ -69,7 +69,6 @@ PartOfText part_with(const ScannedText& whole, std::size_t first, std::size_t la
     literal.offset = part.text.size();
     literal.length = digits.size();
     literal.digits = digits_of(digits);
-    part.literals.push_back(literal);
     part.text += digits;
   }
   part.text += text.substr(done, most_bytes_around);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fit/formula/shader_calls.hpp"
+#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {
@@ -32,21 +33,8 @@ std::string_view plain_name(std::string_view word) {
   return word;
 }
 
-/// Visits the characters outside of inner parentheses.
-template <class Visit>
-void visit_outer(std::string_view text, const Visit& visit) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ')' || text[i] == ']') --depth;
-    if (depth == 0) visit(i);
-    if (text[i] == '(' || text[i] == '[') ++depth;
-  }
-}
-
 bool is_comparison(std::string_view text) {
-  bool has_sign = false;
-  visit_outer(text, [&](std::size_t i) { has_sign = has_sign || text[i] == '<' || text[i] == '>'; });
-  return has_sign;
+  return std::min(place_outside(text, "<"), place_outside(text, ">")) < text.size();
 }
 
 std::optional<std::string> choice_of(std::string_view name, const std::vector<std::string_view>& all) {
@@ -158,14 +146,12 @@ std::optional<std::string> pi_in(std::string_view path) {
 
 std::vector<std::string_view> arguments_in(std::string_view list) {
   std::vector<std::string_view> arguments;
-  std::size_t begin = 0;
-  visit_outer(list, [&](std::size_t i) {
-    if (list[i] != ',') return;
-    arguments.push_back(trimmed(list.substr(begin, i - begin)));
-    begin = i + 1;
-  });
-  arguments.push_back(trimmed(list.substr(begin)));
-  return arguments;
+  for (;;) {
+    const std::size_t comma = place_outside(list, ",");
+    arguments.push_back(trimmed(list.substr(0, comma)));
+    if (comma == list.size()) return arguments;
+    list.remove_prefix(comma + 1);
+  }
 }
 
 std::string_view operator_of(std::string_view word) {

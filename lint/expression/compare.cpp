@@ -69,12 +69,11 @@ Places places_in(const std::vector<KnownAxis>& axes) {
   constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
   Places places;
   for (int i = 1; i <= count; ++i) {
-    std::vector<double> place;
+    std::vector<double>& place = places.emplace_back();
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
       const double share = std::fmod(i * steps[axis], 1.0);
       place.push_back(axes[axis].lower + (axes[axis].upper - axes[axis].lower) * share);
     }
-    places.push_back(std::move(place));
   }
   return places;
 }

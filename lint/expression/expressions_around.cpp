@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "lint/expression/source_expression.hpp"
 #include "lint/scan/characters.hpp"

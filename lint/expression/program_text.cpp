@@ -1,6 +1,5 @@
 #include "lint/expression/program_text.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 

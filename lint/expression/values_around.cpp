@@ -84,18 +84,9 @@ std::size_t block_begin(std::string_view text, std::size_t at) {
 }
 
 Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {
-  switch (operation) {
-    case '+':
-      return a + b;
-    case '-':
-      return a - b;
-    case '*':
-      return a * b;
-    case '/':
-      return a / b;
-    default:
-      return b;
-  }
+  if (operation == '+') return a + b;
+  if (operation == '-') return a - b;
+  return operation == '*' ? a * b : a / b;
 }
 
 /// The values from the last number on. `keeps_all`: with everything that is computed before the first number

@@ -59,21 +59,6 @@ std::vector<double> values_on_grid(const KnownSet& set, const Symbolic& form,
   return values;
 }
 
-void append_thresholds(const KnownSet& set, const Symbolic& form, const std::vector<double>& constants,
-                       const std::string& variable, std::vector<double>& thresholds) {
-  for (const Symbolic& part : form.parts()) append_thresholds(set, part, constants, variable, thresholds);
-  if (form.kind() != Symbolic::Kind::choice) return;
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    const Symbolic& compared = form.part(side);
-    if (compared.kind() != Symbolic::Kind::variable || compared.name() != variable) continue;
-    thresholds.push_back(evaluate<double>(form.part(1 - side), [&](const std::string& name) {
-      for (std::size_t i = 0; i < set.constants.size(); ++i)
-        if (set.constants[i].name == name) return constants[i] / set.factor;
-      return std::nan("");
-    }));
-  }
-}
-
 }  // namespace
 
 std::vector<double> published_values(const KnownSet& set) {
@@ -85,7 +70,20 @@ std::vector<double> published_values(const KnownSet& set) {
 std::vector<double> thresholds_of(const KnownSet& set, const Symbolic& form,
                                   const std::vector<double>& constants, const std::string& variable) {
   std::vector<double> thresholds;
-  append_thresholds(set, form, constants, variable, thresholds);
+  for (const Symbolic& part : form.parts()) {
+    const std::vector<double> inner = thresholds_of(set, part, constants, variable);
+    thresholds.insert(thresholds.end(), inner.begin(), inner.end());
+  }
+  if (form.kind() != Symbolic::Kind::choice) return thresholds;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const Symbolic& compared = form.part(side);
+    if (compared.kind() != Symbolic::Kind::variable || compared.name() != variable) continue;
+    thresholds.push_back(evaluate<double>(form.part(1 - side), [&](const std::string& name) {
+      for (std::size_t i = 0; i < set.constants.size(); ++i)
+        if (set.constants[i].name == name) return constants[i] / set.factor;
+      return std::nan("");
+    }));
+  }
   return thresholds;
 }
 

@@ -78,12 +78,11 @@ std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets) {
   for (const KnownSet& set : sets) {
     if (set.constants.size() < 2) continue;
     for (const auto& [words, factor] : factors) {
-      KnownSet multiple = set;
+      KnownSet& multiple = multiples.emplace_back(set);
       multiple.variants.clear();
       multiple.times = words;
       multiple.factor = factor;
       for (KnownConstant& constant : multiple.constants) constant = multiple_of(constant, factor);
-      multiples.push_back(std::move(multiple));
     }
   }
   return multiples;

@@ -75,8 +75,10 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
       entries_.push_back({digits, mantissa_of(digits), {s, sets[s].variants[v].constant}, false, v});
     }
   }
-  sort(entries_);
-  sort(multiples_);
+  for (std::vector<Entry>* entries : {&entries_, &multiples_})
+    std::ranges::sort(*entries, {}, [](const Entry& entry) {
+      return std::tuple(entry.mantissa, entry.place, entry.variant);
+    });
   for (std::uint32_t e = 0; e < entries_.size(); ++e) {
     const std::string& text = entries_[e].digits.text;
     if (entries_[e].variant || entries_[e].is_common || text.size() < least_digits_to_vary) continue;
@@ -93,11 +95,6 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
     for (const std::size_t near : {first - 1, first, first + 1})
       has_multiple_.set(near % has_multiple_.size());
   }
-}
-
-void DigitIndex::sort(std::vector<Entry>& entries) {
-  std::ranges::sort(
-      entries, {}, [](const Entry& entry) { return std::tuple(entry.mantissa, entry.place, entry.variant); });
 }
 
 std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {

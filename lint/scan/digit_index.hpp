@@ -3,7 +3,6 @@
 #include <bitset>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,7 +47,6 @@ class DigitIndex {
 
   using Key = std::pair<std::uint64_t, std::uint32_t>;
 
-  static void sort(std::vector<Entry>& entries);
   void look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
   void look_edited(const Digits& found, std::vector<NumberMatch>& matches) const;
   void look_multiple(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;

@@ -3,19 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
 #include <string>
 
 #include "lint/scan/characters.hpp"
+#include "lint/scan/notation.hpp"
 
 namespace shadefit::lint {
 namespace {
 
-/// Separators of digits in C++ and Rust.
-constexpr bool is_separator(char c) {
-  return c == '_' || c == '\'';
+/// Without leading zeros.
+std::uint32_t count_significant(const Notation& number) {
+  std::uint32_t count = 0;
+  for (const std::string_view digits : {number.whole, number.fraction})
+    for (const char c : digits)
+      if (is_digit(c) && (c != '0' || count > 0)) ++count;
+  return count;
 }
 
 struct Quote {
@@ -213,26 +217,6 @@ class LiteralReader {
     }
   }
 
-  void digits(std::uint32_t& significant) {
-    for (; at_ < text_.size(); ++at_) {
-      const char c = text_[at_];
-      if (is_digit(c)) {
-        if (c != '0' || significant > 0) ++significant;
-      } else if (!(is_separator(c) && is_digit(peek(1)) && is_digit(text_[at_ - 1]))) {
-        return;
-      }
-    }
-  }
-
-  /// f, h, l, f32, f64: any other letters after the digits make a word of it.
-  bool suffix() {
-    constexpr std::array<std::string_view, 14> known{"",    "f",   "F",   "h", "H", "l",  "L",
-                                                     "f32", "f64", "f16", "d", "D", "lf", "m"};
-    const std::size_t first = end_of_run(text_, at_, [](char c) { return c == '_'; });
-    at_ = end_of_run(text_, first, is_of_name);
-    return std::ranges::find(known, text_.substr(first, at_ - first)) != known.end();
-  }
-
   /// Whether a factor 10^n follows, in LaTeX or plain text.
   bool is_before_power_of_ten() const {
     std::string_view rest = text_.substr(at_, 20);
@@ -248,26 +232,14 @@ class LiteralReader {
 
   void number() {
     const std::size_t first = at_;
-    std::uint32_t significant = 0;
-    digits(significant);
-    if (peek(0) == '.') {
-      ++at_;
-      digits(significant);
-    }
-    if ((peek(0) == 'e' || peek(0) == 'E') &&
-        (is_digit(peek(1)) || ((peek(1) == '-' || peek(1) == '+') && is_digit(peek(2))))) {
-      at_ += 2;
-      while (is_digit(peek(0))) ++at_;
-    }
-    const bool is_number = suffix();
+    const Notation number = parts_of_number(text_.substr(first));
+    at_ += number.length;
     // 1.2.3 is a version.
     const bool is_version = peek(0) == '.' && is_digit(peek(1));
-    while (peek(0) == '.' && is_digit(peek(1))) {
-      ++at_;
-      while (is_digit(peek(0))) ++at_;
-    }
+    while (peek(0) == '.' && is_digit(peek(1))) at_ = end_of_run(text_, at_ + 1, is_digit);
     const std::size_t length = at_ - first;
-    if (is_number && !is_version && significant > 0 && length <= most_digits)
+    const std::uint32_t significant = count_significant(number);
+    if (is_suffix(number.suffix) && !is_version && significant > 0 && length <= most_digits)
       literals_.push_back({first, length, significant, comment_ != '\0', is_before_power_of_ten(),
                            digits_of(text_.substr(first, length))});
   }

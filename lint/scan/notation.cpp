@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "lint/scan/characters.hpp"
 #include "lint/scan/literals.hpp"
@@ -26,13 +27,6 @@ std::string_view leading_exponent(std::string_view text) {
   const std::size_t first = text.size() > 1 && (text[1] == '-' || text[1] == '+') ? 2 : 1;
   const std::size_t end = end_of_run(text, first, is_digit);
   return text.substr(0, end > first ? end : 0);
-}
-
-/// Whether these letters may follow a number, by the rules of the scanner.
-bool is_suffix(std::string_view letters) {
-  const std::string number = "1" + std::string(letters);
-  const auto read = literals_of(number, CommentStyle::none);
-  return read.size() == 1 && read.front().length == number.size();
 }
 
 /// All digits without leading zeros: as printed, with trailing zeros.
@@ -95,7 +89,14 @@ std::string with_exponent(const Notation& literal, const Notation& to, std::stri
 
 }  // namespace
 
-std::optional<Notation> notation_at(std::string_view text) {
+bool is_suffix(std::string_view letters) {
+  constexpr std::array<std::string_view, 14> known{"",    "f",   "F",   "h", "H", "l",  "L",
+                                                   "f32", "f64", "f16", "d", "D", "lf", "m"};
+  letters.remove_prefix(end_of_run(letters, 0, [](char c) { return c == '_'; }));
+  return std::ranges::find(known, letters) != known.end();
+}
+
+Notation parts_of_number(std::string_view text) {
   Notation number;
   number.whole = leading_digits(text);
   std::size_t at = number.whole.size();
@@ -104,11 +105,16 @@ std::optional<Notation> notation_at(std::string_view text) {
     number.fraction = leading_digits(text.substr(at + 1));
     at += 1 + number.fraction.size();
   }
-  if (number.whole.empty() && number.fraction.empty()) return std::nullopt;
   number.exponent = leading_exponent(text.substr(at));
   at += number.exponent.size();
   number.length = end_of_run(text, at, is_of_name);
   number.suffix = text.substr(at, number.length - at);
+  return number;
+}
+
+std::optional<Notation> notation_at(std::string_view text) {
+  const Notation number = parts_of_number(text);
+  if (number.whole.empty() && number.fraction.empty()) return std::nullopt;
   if (number.length > most_digits || !is_suffix(number.suffix)) return std::nullopt;
   return number;
 }

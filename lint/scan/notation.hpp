@@ -17,6 +17,13 @@ struct Notation {
   std::size_t length = 0;  ///< of all parts
 };
 
+/// The parts of a number at the start of a text, without a sign: as much as can be read of them, with all
+/// letters behind the digits as the suffix.
+Notation parts_of_number(std::string_view text);
+
+/// Whether these letters may follow a number: f, h, l, f32, f64. Any others make a word of it.
+bool is_suffix(std::string_view letters);
+
 /// Reads the number that a text begins with, without a sign. Empty if there is none, if it is hexadecimal, if
 /// letters other than a suffix follow, or if it is longer than `most_digits`.
 std::optional<Notation> notation_at(std::string_view text);

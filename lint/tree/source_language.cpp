@@ -1,5 +1,7 @@
 #include "lint/tree/source_language.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -46,11 +48,7 @@ constexpr std::array<LanguageRow, source_languages.size()> languages{{
 
 /// Whether a list of words, separated by blanks, has a word.
 bool has_word(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return !word.empty();
-  }
-  return false;
+  return !word.empty() && fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
 }
 
 /// Words in the first lines of shaders: directives, storage classes, types.
