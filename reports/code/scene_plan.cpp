@@ -136,20 +136,13 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
 }
 
 std::string plan_json(const Scene& scene, const Plan& plan) {
-  Json terms = Json::array(), materials = Json::array();
+  Json materials = Json::array();
   // A texture has up to 256, each a hundred bytes here: a large scene leaves them out.
   constexpr std::size_t most_powers = 1'000'000;
   const std::size_t all_powers =
       std::accumulate(scene.materials.begin(), scene.materials.end(), std::size_t{0},
                       [](std::size_t sum, const Material& material) { return sum + material.powers.size(); });
   const bool are_powers_listed = all_powers <= most_powers;
-  for (const scene::Decision& d : plan.decisions) {
-    terms.push_back({{"term", d.term},
-                     {"verdict", name(d.treatment)},
-                     {"form", d.form},
-                     {"error", d.error},
-                     {"reason", d.reason}});
-  }
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const MaterialPlan& m = plan.materials[i];
     const Material& material = scene.materials[i];
@@ -179,7 +172,7 @@ std::string plan_json(const Scene& scene, const Plan& plan) {
               {"dot_product_error", plan.dot_product_error},
               {"fits_run", plan.fits_run},
               {"fits_skipped", plan.fits_skipped},
-              {"terms", terms},
+              {"terms", write_json(decisions_table(plan))},
               {"materials", materials},
               {"unused", unused},
               {"notes", notes(scene, plan)}}

@@ -53,10 +53,9 @@ Figure better_figure(const Comparison& comparison) {
   }
   const Domain& domain = comparison.domain;
   for (const double c : abscissae(domain.lower, domain.upper)) {
-    std::vector<Cell> row{plotted(c)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(c)});
     for (const Contender* contender : shown)
       row.push_back(plotted(error_at(comparison, *contender, {c, 1 - c})));
-    table.rows.push_back(row);
   }
   panel.settings = fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange {}\n", domain.lower, domain.upper,
                                range_around(table, panel.curves));

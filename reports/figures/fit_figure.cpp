@@ -142,10 +142,9 @@ Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& fam
   for (const std::string_view parameter : family.parameters) table.columns.emplace_back(parameter);
   table.columns.insert(table.columns.end(), {"max_abs_error", "rms_error"});
   for (const Fit* fit : fits) {
-    std::vector<Cell> row{plotted(*fit->exponent)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(*fit->exponent)});
     for (const double parameter : fit->parameters) row.push_back(plotted(parameter));
     row.insert(row.end(), {plotted(fit->max_abs_error.magnitude), plotted(fit->rms_error)});
-    table.rows.push_back(row);
   }
   add_curves(table, drawn_of(fits), family);
   return table;
@@ -172,10 +171,9 @@ std::array<Panel, 2> curve_panels(const std::vector<const Fit*>& drawn) {
 }
 
 Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& family) {
-  const auto [least, most] = std::minmax_element(
-      fits.begin(), fits.end(), [](const Fit* a, const Fit* b) { return *a->exponent < *b->exponent; });
+  const std::vector<const Fit*> drawn = drawn_of(fits);
   // Over more than a decade, a logarithmic axis shows both ends.
-  const std::string scale = *(*most)->exponent > 10 * *(*least)->exponent ? "set logscale x\n" : "";
+  const std::string scale = *drawn.back()->exponent > 10 * *drawn.front()->exponent ? "set logscale x\n" : "";
   Panel parameters{.title = gnuplot_unmarked(to_text(family.form())),
                    .y_label = "parameter",
                    .settings = scale,
@@ -190,7 +188,7 @@ Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& famil
                      .abscissa = "exponent",
                      .curves = {{"max_abs_error", "largest error", Look::second, false, true},
                                 {"rms_error", "rms error", Look::third, false, true}}};
-  const auto [curves, curve_errors] = curve_panels(drawn_of(fits));
+  const auto [curves, curve_errors] = curve_panels(drawn);
   return {.name = std::string(file_name),
           .about = fmt::format("Fits of {}: {}.", family.info.id, name(fits.front()->metric.norm)),
           .columns = 2,

@@ -70,9 +70,8 @@ Table weight_table(const std::vector<Form>& forms) {
   for (const Form& form : forms) table.columns.push_back(form.column);
   for (int i = 0; i <= plot_steps; ++i) {
     const double c = static_cast<double>(i) / plot_steps;
-    std::vector<Cell> row{plotted(c)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(c)});
     for (const Form& form : forms) row.push_back(plotted(form.weight(c)));
-    table.rows.push_back(row);
   }
   return table;
 }
@@ -130,7 +129,7 @@ Table error_table(const std::vector<ErrorsAgainst>& comparisons) {
   }
   for (int i = 0; i <= plot_steps; ++i) {
     const double c = static_cast<double>(i) / plot_steps;
-    std::vector<Cell> row{plotted(c)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(c)});
     for (const ErrorsAgainst& comparison : comparisons) {
       const double reference = comparison.weight(c);
       std::vector<double> errors;
@@ -138,7 +137,6 @@ Table error_table(const std::vector<ErrorsAgainst>& comparisons) {
       for (const double error : errors) row.push_back(plotted(error));
       for (const double error : errors) row.push_back(plotted(error / schlick_reflectance(f0, reference)));
     }
-    table.rows.push_back(row);
   }
   return table;
 }

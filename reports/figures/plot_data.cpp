@@ -1,6 +1,5 @@
 #include "reports/figures/plot_data.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -61,12 +60,11 @@ Table best_parameter_table(const Refit& refit) {
   for (const FitReport& report : refit.fits) {
     if (report.fit.metric != Metric{.measure = measures.front()}) continue;
     const double exponent = *report.fit.exponent;
-    std::vector<Cell> row{plotted(exponent)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(exponent)});
     for (const Measure measure : measures) {
       const Fit* fit = fit_at(refit, measure, exponent);
       row.push_back(fit != nullptr ? plotted(fit->parameters.front()) : Cell());
     }
-    table.rows.push_back(row);
   }
   return table;
 }

@@ -7,6 +7,7 @@
 #include "fit/support/json_document.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/own_fields.hpp"
+#include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
@@ -36,11 +37,7 @@ Cell cell_of(const OwnFields& fields, const Json& json) {
 }
 
 Json judged_json(const JudgedStudy& study) {
-  Json rows = Json::array();
-  for (const auto& row : study.rows) {
-    Json& cells = rows.emplace_back(Json::array());
-    for (const Cell& cell : row) cells.push_back(cell_json(cell));
-  }
+  const Json rows = json_array(study.rows, [](const auto& row) { return json_array(row, cell_json); });
   return {{"id", study.id}, {"is_published", study.is_published}, {"rows", rows}, {"page", study.page}};
 }
 
@@ -58,15 +55,15 @@ JudgedStudy read_judged(const OwnFields& fields) {
 }
 
 Json gallery_shard_json(const GalleryShard& shard) {
-  Json studies = Json::array(), judged = Json::array();
-  for (const auto& [id, digest] : shard.studies) studies.push_back({{"id", id}, {"digest", digest}});
-  for (const JudgedStudy& study : shard.judged) judged.push_back(judged_json(study));
+  const auto listed_json = [](const ListedStudy& study) -> Json {
+    return {{"id", study.id}, {"digest", study.digest}};
+  };
   Json json{{"file", gallery_kind},
             {"schema", gallery_schema},
             {version_field, shard.version},
-            {"studies", studies},
+            {"studies", json_array(shard.studies, listed_json)},
             {"shard", {shard.shard.index, shard.shard.of}},
-            {"judged", judged}};
+            {"judged", json_array(shard.judged, judged_json)}};
   json[digest_field] = digest_of(json);
   return json;
 }

@@ -1,7 +1,6 @@
 #include "reports/gallery/gallery.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -138,19 +137,14 @@ std::string formats(const StudyComparison& comparison) {
       has_search ? " The search keeps exact ends; other properties may be lost." : "");
 }
 
-/// An id as the name of a function: letters, digits and '_'.
-std::string function_name(std::string id) {
-  std::ranges::replace(id, '-', '_');
-  return id;
-}
-
 /// The best contender of the first target as code, in each language that has its functions.
 std::string code_of(const GalleryEntry& entry) {
   const StudyComparison& comparison = entry.comparisons.front();
   const auto contenders = shown(comparison);
   if (contenders.empty()) return "";
   const StudyContender& best = *contenders.back();
-  const ShaderFunction function{function_name(entry.file.id), comparison.variables, best.code};
+  ShaderFunction function{entry.file.id, comparison.variables, best.code};
+  std::ranges::replace(function.name, '-', '_');
   std::vector<std::string> comment{best.formula, words_of(best)};
   if (const std::string given = given_text(comparison.study); !given.empty()) comment.push_back(given);
   std::string options, blocks;

@@ -21,11 +21,9 @@ std::string_view name(Origin side) {
 }
 
 Json places_json(const std::vector<Box>& places) {
-  Json list = Json::array();
-  for (const Box& place : places)
-    list.push_back(
-        {{"of", name(place.side)}, {"from", hex_text(place.lower)}, {"to", hex_text(place.upper)}});
-  return list;
+  return json_array(places, [](const Box& place) -> Json {
+    return {{"of", name(place.side)}, {"from", hex_text(place.lower)}, {"to", hex_text(place.upper)}};
+  });
 }
 
 Json surface_json(const Surface& surface) {
@@ -83,9 +81,7 @@ CurveShape read_curve(const OwnFields& fields) {
 }  // namespace
 
 Json hex_list(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(hex_text(value));
-  return list;
+  return json_array(values, hex_text);
 }
 
 Json write_certificate_json(const Certificate& certificate) {

@@ -14,15 +14,13 @@ using ContenderKind = Contender::Kind;
 
 /// "a = -5.55473, b = -6.98316": published ones as printed, fitted ones with ten digits or all.
 std::string constants_text(const Contender& contender, Precision precision, int most_digits = all_digits) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < contender.parameters.size(); ++i) {
-    const auto& [name, printed] = contender.parameters[i];
-    Number fitted = converged(contender.values[i]);
+  if (contender.kind == ContenderKind::published) return equations(contender.parameters);
+  auto value = contender.values.begin();
+  return joined(contender.parameters, ", ", [&](const auto& parameter) {
+    Number fitted = converged(*value++);
     fitted.digits = std::min(fitted.digits, most_digits);
-    parts.push_back(name + " = " +
-                    (contender.kind == ContenderKind::published ? printed : text(fitted, precision)));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+    return parameter.first + " = " + text(fitted, precision);
+  });
 }
 
 /// The lower bound, which is the error at a place: its digits do not depend on the steps of the proof.
@@ -147,15 +145,13 @@ Table comparisons_table(const std::vector<Comparison>& comparisons, Precision pr
 
 Json write_comparison_json(const Comparison& comparison) {
   const FittableFamily& family = *comparison.family;
-  Json contenders = Json::array();
-  for (const Contender& contender : comparison.contenders) contenders.push_back(contender_json(contender));
   return {{"schema", 1},
           {"constant", family.info.id},
           {"exponent", family.has_exponent() ? Json(comparison.setting.exponent) : Json()},
           {"target", target_of(family, comparison.setting.surface)},
           {"surface", surface_json(comparison)},
           {"domain", {comparison.domain.lower, comparison.domain.upper}},
-          {"curves", contenders},
+          {"curves", json_array(comparison.contenders, contender_json)},
           {"left_out", comparison.left_out}};
 }
 
@@ -179,7 +175,7 @@ Table half_table(const std::vector<CurveInHalf>& curves) {
 Json write_half_json(const std::vector<CurveInHalf>& curves) {
   Json list = Json::array();
   for (const CurveInHalf& curve : curves) {
-    Json item{{"published", curve.published}};
+    Json& item = list.emplace_back(Json{{"published", curve.published}});
     if (curve.rounded && curve.rounded->published) {
       const FittableFamily& family = *find_family(curve.family);
       item["rounded"] = rounded_json(family, *curve.rounded->published);
@@ -188,7 +184,6 @@ Json write_half_json(const std::vector<CurveInHalf>& curves) {
     } else {
       item["reason"] = curve.reason;
     }
-    list.push_back(item);
   }
   return list;
 }

@@ -40,15 +40,13 @@ Json objective_json(const Metric& metric, const std::optional<double>& f0) {
 
 /// The places where the error is at its level or a constraint is active, from the peak down.
 Json alternation_json(const Fit& fit) {
-  Json points = Json::array();
-  for (const AlternationPoint& point : fit.alternation) {
-    points.push_back({{"at", point.at.cos_theta},
-                      {"sign", sign_of_error(point, fit.metric.constraints)},
-                      {"error", point.error},
-                      {"holds", what_holds(point, fit.metric.constraints)},
-                      {"multiplier", point.multiplier}});
-  }
-  return points;
+  return json_array(fit.alternation, [&](const AlternationPoint& point) -> Json {
+    return {{"at", point.at.cos_theta},
+            {"sign", sign_of_error(point, fit.metric.constraints)},
+            {"error", point.error},
+            {"holds", what_holds(point, fit.metric.constraints)},
+            {"multiplier", point.multiplier}};
+  });
 }
 
 Json range_json(const std::optional<ExponentRange>& range) {
@@ -67,17 +65,6 @@ Json assessment_json(const Assessment& assessment) {
           {"holds_for", range_json(assessment.holds_for)}};
 }
 
-/// The numbers that are compared with the fits of a family: the first published for each parameter.
-std::vector<const Assessment*> principal(const FittableFamily& family, const FitReport& report) {
-  std::vector<const Assessment*> found;
-  for (const std::string_view parameter : family.parameters) {
-    const auto first = std::ranges::find_if(
-        report.assessments, [&](const Assessment& a) { return a.published->parameter == parameter; });
-    if (first != report.assessments.end()) found.push_back(&*first);
-  }
-  return found;
-}
-
 }  // namespace
 
 Json write_fit_json(const FittableFamily& family, const FitReport& report) {
@@ -89,13 +76,15 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
 
   Json published, verdict;
   Verdict worst = Verdict::confirmed;
-  for (const Assessment* a : principal(family, report)) {
-    published[std::string(a->published->parameter)] = constant<double>(a->published->printed);
-    worst = std::max(worst, a->judgement.verdict);
+  const auto parameter_of = [](const Assessment& a) { return a.published->parameter; };
+  for (const std::string_view parameter : family.parameters) {
+    // The fit is compared with the first number that was published for it.
+    const auto first = std::ranges::find(report.assessments, parameter, parameter_of);
+    if (first == report.assessments.end()) continue;
+    published[std::string(parameter)] = constant<double>(first->published->printed);
+    worst = std::max(worst, first->judgement.verdict);
     verdict = name(worst);
   }
-  Json assessments = Json::array();
-  for (const Assessment& a : report.assessments) assessments.push_back(assessment_json(a));
 
   return {{"schema", fit_json_schema},
           {"constant", family.info.id},
@@ -121,7 +110,7 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"ior", fit.surface.is_named() ? Json(fit.surface.ior) : Json()},
           {"extinction", fit.surface.is_named() ? Json(fit.surface.extinction) : Json()},
           {"form", to_text(family.form())},
-          {"assessments", assessments}};
+          {"assessments", json_array(report.assessments, assessment_json)}};
 }
 
 Json write_derived_json(const Assessment& a) {

@@ -37,6 +37,14 @@ nlohmann::ordered_json json_object(const Pairs& pairs) {
   return object;
 }
 
+/// An array of what `of` makes of each element.
+template <class Range, class Of>
+nlohmann::ordered_json json_array(const Range& range, const Of& of) {
+  auto array = nlohmann::ordered_json::array();
+  for (const auto& element : range) array.push_back(of(element));
+  return array;
+}
+
 /// A JSON value as a file or a reader gets it.
 inline std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(2) + "\n";

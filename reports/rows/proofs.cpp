@@ -46,12 +46,10 @@ Json curve_json(const FittableFamily& family, const CurveProof& proof) {
 }
 
 Json places_json(const Certificate& certificate) {
-  Json list = Json::array();
-  for (const Box& box : certificate.places) {
+  return json_array(certificate.places, [](const Box& box) -> Json {
     const Domain c = cosines_of(box);
-    list.push_back({c.lower, c.upper});
-  }
-  return list;
+    return {c.lower, c.upper};
+  });
 }
 
 Json stationary_json(const FittableFamily& family, const StationaryPoint& point) {
@@ -82,7 +80,7 @@ Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs) {
        {"max abs error at least", "at most", "at c from", "to", "curve", "least squares"})
     table.columns.emplace_back(column);
   for (std::size_t i = 0; i < proofs.size(); ++i) {
-    std::vector<Cell> row;
+    std::vector<Cell>& row = table.rows.emplace_back();
     if (family.has_exponent()) row.push_back(all_of(*refit.fits[i].fit.exponent));
     const FitProof& proof = proofs[i];
     if (proof.max_abs_error) {
@@ -94,7 +92,6 @@ Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs) {
       row.resize(row.size() + 5);
     }
     row.emplace_back(stationary_text(family, proof.stationary));
-    table.rows.push_back(row);
   }
   return table;
 }
@@ -134,7 +131,7 @@ Table certificates_table(const FittableFamily& family, const std::vector<Certifi
     table.columns.emplace_back(column);
   for (const auto& [certified, from] : forms) {
     const Certificate& certificate = certified.certificate;
-    std::vector<Cell> row;
+    std::vector<Cell>& row = table.rows.emplace_back();
     if (family.has_exponent()) row.push_back(all_of(certificate.subject.setting.exponent));
     for (const auto& [name, value] : certificate.subject.parameters) row.emplace_back(value);
     const Domain places = places_in(certificate);
@@ -145,7 +142,6 @@ Table certificates_table(const FittableFamily& family, const std::vector<Certifi
                {std::string(from), all_of(certificate.lower), all_of(certificate.upper), all_of(places.lower),
                 all_of(places.upper), boxes_of_side(certificate.horizon) + boxes_of_side(certificate.peak),
                 curve_text(family, certified.curve)});
-    table.rows.push_back(row);
   }
   return table;
 }

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <utility>
 
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/support/hex_float.hpp"
-#include "fit/support/user_error.hpp"
 #include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
@@ -88,9 +86,8 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
     if (!fits[i].rounded) continue;
     const Rounded& rounded = *fits[i].rounded;
     const auto add = [&](std::string_view name, const RoundedConstants& constants) {
-      std::vector<Cell> row = row_of(name, constants);
+      auto& row = table.rows.emplace_back(row_of(name, constants));
       if (family.has_exponent()) row.insert(row.begin(), Number{*refit.fits[i].fit.exponent, all_digits});
-      table.rows.push_back(row);
     };
     add(rounded.is_proven ? "best" : "best found", rounded.best);
     add("fitted, rounded", rounded.naive);

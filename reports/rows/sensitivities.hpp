@@ -29,11 +29,10 @@ Table other_fits_table(const std::vector<std::string>& names, const Others& othe
   for (const auto& [objective, fit] : others) {
     const bool is_answer = fit.status == Status::converged;
     const auto cell = [&](const Number& value) { return is_answer ? Cell(value) : Cell(); };
-    std::vector<Cell> row{words(objective)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{words(objective)});
     for (const double p : fit.parameters) row.push_back(cell(converged(p)));
     row.insert(row.end(), {cell(Number{fit.rms_error, 4}), cell(Number{fit.max_abs_error.magnitude, 4}),
                            std::string(name(fit.status))});
-    table.rows.push_back(row);
   }
   return table;
 }

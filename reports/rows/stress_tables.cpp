@@ -35,10 +35,6 @@ bool is_told(const FormTrial& trial) {
   return !trial.is_robust() && trial.worst_ulps > least_told;
 }
 
-const std::string& first_wrong(const FormTrial& trial) {
-  return trial.first_bad.empty() ? trial.first_broken : trial.first_bad;
-}
-
 /// The order of rows, by unusable results first, then by error.
 auto badness(const FormTrial& trial) {
   return std::pair(trial.nan + trial.infinite + trial.negative + trial.above.value_or(0), trial.worst_ulps);
@@ -50,13 +46,13 @@ Table forms_stress_table(const std::vector<FormTrial>& trials) {
   Table table{{"topic", "name", "formula", "role", "format", "domain", "inputs", "worst_ulps", "worst_at",
                "bound", "kept", "nan", "infinite", "negative", "above", "first_bad"}};
   for (const FormTrial& t : trials) {
-    table.rows.push_back({std::string(t.topic), std::string(t.form), t.formula,
-                          std::string(t.is_robust() ? "robust" : "naive"), std::string(t.format.name),
-                          t.domain, t.inputs, is_told(t) ? Cell(power_of_two_above(t.worst_ulps)) : Cell(),
-                          is_told(t) ? Cell(t.worst_at) : Cell(),
-                          t.is_robust() ? Cell(bound_text(*t.bound, t.format)) : Cell(),
-                          t.is_robust() ? Cell(yes_or_no(t.is_kept())) : Cell(), t.nan, t.infinite,
-                          t.negative, t.above ? Cell(*t.above) : Cell(), first_wrong(t)});
+    table.rows.push_back(
+        {std::string(t.topic), std::string(t.form), t.formula,
+         std::string(t.is_robust() ? "robust" : "naive"), std::string(t.format.name), t.domain, t.inputs,
+         is_told(t) ? Cell(power_of_two_above(t.worst_ulps)) : Cell(), is_told(t) ? Cell(t.worst_at) : Cell(),
+         t.is_robust() ? Cell(bound_text(*t.bound, t.format)) : Cell(),
+         t.is_robust() ? Cell(yes_or_no(t.is_kept())) : Cell(), t.nan, t.infinite, t.negative,
+         t.above ? Cell(*t.above) : Cell(), t.first_bad.empty() ? t.first_broken : t.first_bad});
   }
   return table;
 }
@@ -90,19 +86,15 @@ Table forms_stress_summary(const std::vector<FormTrial>& trials) {
         if (worst == nullptr || badness(*worst) < badness(t)) worst = &t;
       }
       std::vector<Cell> row{std::string(trials[i].topic), std::string(format.name)};
-      if (naive != nullptr) {
+      if (naive != nullptr)
         row.insert(row.end(),
                    {std::string(naive->form), Number{naive->worst_ulps, 2}, naive->nan, naive->infinite,
                     naive->negative, naive->above ? Cell(*naive->above) : Cell()});
-      } else {
-        row.insert(row.end(), 6, Cell());
-      }
-      if (robust != nullptr) {
+      row.resize(8);  // up to the columns of the robust form
+      if (robust != nullptr)
         row.insert(row.end(), {std::string(robust->form), Number{robust->worst_ulps, 2},
                                bound_text(*robust->bound, format), yes_or_no(robust->is_kept())});
-      } else {
-        row.insert(row.end(), 4, Cell());
-      }
+      row.resize(table.columns.size());
       table.rows.push_back(row);
     }
     i = end;

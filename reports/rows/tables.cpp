@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "approx/ledger/catalogue.hpp"
 #include "reports/rows/citation.hpp"
 
@@ -73,12 +70,10 @@ void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, st
   append(row, {cells.published, is_answer ? converged(fit.parameters[parameter]) : Cell(), cells.deviation,
                is_answer ? cells.verdict : word(name(fit.status))});
   append_metric(row, refit, fit.metric, target_of(fit));
-  if (is_answer) {
+  if (is_answer)
     append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
                  place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
-  } else {
-    append(row, {{}, {}, {}, {}, {}});
-  }
+  row.resize(out.table.columns.size() - 1);
   row.push_back(cells.source);
   out.table.rows.push_back(row);
   out.origins.push_back({&refit, &report, parameter});
@@ -147,7 +142,7 @@ Table fits_overview(const Refit& refit) {
   for (const FitReport& report : refit.fits) {
     const Fit& fit = report.fit;
     const bool is_answer = fit.status == Status::converged;
-    std::vector<Cell> row;
+    std::vector<Cell>& row = table.rows.emplace_back();
     if (fit.exponent) row.push_back(Number{*fit.exponent, all_digits});
     for (const double p : fit.parameters) row.push_back(is_answer ? Cell(Number{p, all_digits}) : Cell());
     std::vector<std::string> printed, verdicts;
@@ -161,7 +156,6 @@ Table fits_overview(const Refit& refit) {
                 is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
                 is_answer ? place(fit.max_abs_error.at) : Cell(), fmt::format("{}", fmt::join(printed, ", ")),
                 fmt::format("{}", fmt::join(verdicts, ", "))});
-    table.rows.push_back(row);
   }
   return table;
 }

@@ -65,11 +65,9 @@ std::vector<Cell> error_cells(const FresnelLink& link, const ReflectanceError& e
 
 std::vector<Cell> chain_row(const FresnelLink& link) {
   std::vector<Cell> row{curve_text(link)};
-  if (link.family == nullptr) {
-    row.insert(row.end(), 3, Cell());
-  } else {
-    for (const Cell& cell : error_cells(link, link.from_schlick)) row.push_back(cell);
-  }
+  const bool is_schlick = link.family == nullptr;
+  for (const Cell& cell : is_schlick ? std::vector<Cell>(3) : error_cells(link, link.from_schlick))
+    row.push_back(cell);
   for (const Cell& cell : error_cells(link, link.from_exact)) row.push_back(cell);
   return row;
 }

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "approx/ledger/catalogue.hpp"
-#include "reports/io/joined.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/table/writers.hpp"
@@ -93,11 +92,6 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
                                                        "the computed number instead of the printed one"));
 }
 
-std::string published_section(const Refit& refit) {
-  const auto paragraph = [&](const Published* number) { return published_paragraph(refit, *number); };
-  return joined(refit.numbers, "", paragraph) + "\n";
-}
-
 /// The number published as the mean over a sweep, to be used at every exponent; null where there is none.
 const Published* published_mean(const Refit& refit) {
   const auto found = std::ranges::find_if(
@@ -121,7 +115,7 @@ Table sweep_overview(const Refit& refit) {
   const std::size_t count = refit.fits.size() / measures.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Fit& first = refit.fits[i].fit;
-    std::vector<Cell> row{Number{*first.exponent, 10}};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{Number{*first.exponent, 10}});
     for (std::size_t m = 0; m < measures.size(); ++m)
       row.push_back(converged(refit.fits[m * count + i].fit.parameters[0]));
     row.insert(row.end(), {Number{first.rms_error, 4}, Number{first.max_abs_error.magnitude, 4},
@@ -130,7 +124,6 @@ Table sweep_overview(const Refit& refit) {
       const std::array fixed{constant<double>(mean->printed)};
       row.push_back(Number{refit.family->max_abs_error(*first.exponent, {}, fixed).magnitude, 4});
     }
-    table.rows.push_back(row);
   }
   return table;
 }
@@ -143,12 +136,11 @@ Table single_overview(const Refit& refit) {
                                              "max rel error", "max rel error at c", "digits"});
   for (const FitReport& report : refit.fits) {
     const Fit& fit = report.fit;
-    std::vector<Cell> row{std::string(name(fit.metric.measure))};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(name(fit.metric.measure))});
     for (const double p : fit.parameters) row.push_back(converged(p));
     row.insert(row.end(), {Number{fit.rms_error, 4}, Number{fit.max_abs_error.magnitude, 4},
                            place(fit.max_abs_error.at), Number{fit.max_rel_error->magnitude, 4},
                            place(fit.max_rel_error->at), static_cast<long>(fit.digits)});
-    table.rows.push_back(row);
   }
   return table;
 }
@@ -266,7 +258,8 @@ std::string family_section(const Refit& refit, const std::vector<Figure>& figure
   const bool all_converged =
       std::ranges::all_of(refit.fits, [](const FitReport& r) { return r.fit.status == Status::converged; });
   if (!all_converged) return out + "Not every fit converged: see the verdicts in `fits.csv`.\n\n";
-  out += published_section(refit);
+  for (const Published* number : refit.numbers) out += published_paragraph(refit, *number);
+  out += "\n";
   if (refit.family->has_exponent()) {
     out += markdown_block(sweep_overview(refit)) + sweep_words(refit) + law_section(refit);
   } else {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "reports/io/joined.hpp"
 #include "reports/rows/citation.hpp"
+#include "reports/rows/fit_json.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/table/mathematics.hpp"
 #include "reports/table/writers.hpp"
@@ -160,10 +160,9 @@ std::string explanation(const JudgedClaim& judged, const Terminal& terminal) {
 nlohmann::ordered_json explanation_json(const JudgedClaim& judged) {
   const auto& [topic, claim, finding] = judged;
   const auto pairs = [](const Quantities& quantities) {
-    auto object = nlohmann::ordered_json::array();
-    for (const Quantity& quantity : quantities)
-      object.push_back({{"name", quantity.name}, {"value", quantity.value}});
-    return object;
+    return json_array(quantities, [](const Quantity& quantity) -> nlohmann::ordered_json {
+      return {{"name", quantity.name}, {"value", quantity.value}};
+    });
   };
   return {
       {"schema", 1},

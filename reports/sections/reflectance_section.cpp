@@ -39,9 +39,8 @@ Table constant_table(const Curves& curves, double Reflectance::*value) {
   Table table{{"view angle"}};
   for (const auto* curve : curves) table.columns.push_back(fmt::format("a = {}", curve->exponent));
   for (std::size_t i = 0; i < view_angles.size(); ++i) {
-    std::vector<Cell> row{angle(view_angles[i])};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{angle(view_angles[i])});
     for (const auto* curve : curves) row.push_back(rounded(curve->points[i].*value));
-    table.rows.push_back(row);
   }
   return table;
 }

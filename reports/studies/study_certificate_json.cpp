@@ -15,10 +15,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kind_of_study_file = "shadefit certificate of a study";
 
 Json definitions_json(const std::vector<StudyDefinition>& definitions) {
-  Json list = Json::array();
-  for (const StudyDefinition& definition : definitions)
-    list.push_back({{"name", definition.name}, {"of", definition.arguments}, {"is", definition.formula}});
-  return list;
+  return json_array(definitions, [](const StudyDefinition& definition) -> Json {
+    return {{"name", definition.name}, {"of", definition.arguments}, {"is", definition.formula}};
+  });
 }
 
 std::vector<StudyDefinition> read_definitions(const OwnFields& fields) {

@@ -1,7 +1,6 @@
 #include "reports/studies/study_comparison.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -45,23 +44,21 @@ Json ranges_json(const ErrorClaim& claim) {
   return ranges;
 }
 
-std::string beaten(const StudyContender& contender) {
-  return joined(contender.beats, ", ", [](std::size_t place) { return fmt::to_string(place + 1); });
-}
-
-/// The cells of a contender that tables share: from its form to what it beats.
-std::vector<Cell> cells_of(const StudyContender& contender) {
-  std::vector<Cell> cells{contender.form, constants_text(contender), origin_of(contender),
-                          Number{contender.max_error.magnitude, 4}};
+/// These cells, and then those of a contender that tables share: from its form to what it beats.
+std::vector<Cell> with_contender(std::vector<Cell> cells, const StudyContender& contender) {
+  cells.insert(cells.end(), {contender.form, constants_text(contender), origin_of(contender),
+                             Number{contender.max_error.magnitude, 4}});
   for (const double x : contender.max_error.at) cells.push_back(Number{x, 4});
-  cells.insert(cells.end(), {to_text(contender.operations), static_cast<long>(contender.operations.total()),
-                             contender.judgement ? verdict_text(*contender.judgement) : "",
-                             claim_text(contender), beaten(contender)});
+  cells.insert(cells.end(),
+               {to_text(contender.operations), static_cast<long>(contender.operations.total()),
+                contender.judgement ? verdict_text(*contender.judgement) : "", claim_text(contender),
+                joined(contender.beats, ", ", [](std::size_t place) { return fmt::to_string(place + 1); })});
   return cells;
 }
 
-std::vector<std::string> columns_of(const StudyComparison& comparison) {
-  std::vector<std::string> columns{"form", "constants", "from", error_in_words(comparison.error)};
+std::vector<std::string> with_columns_of(std::vector<std::string> columns,
+                                         const StudyComparison& comparison) {
+  columns.insert(columns.end(), {"form", "constants", "from", error_in_words(comparison.error)});
   for (const std::string& variable : comparison.variables) columns.push_back("at " + variable);
   columns.insert(columns.end(), {"operations", "instructions", "verdict", "claimed error", "beats"});
   return columns;
@@ -108,26 +105,18 @@ std::string target_of(const StudyComparison& comparison) {
 }
 
 Table study_comparison_table(const StudyComparison& comparison) {
-  Table table{{"row"}};
-  const auto columns = columns_of(comparison);
-  table.columns.insert(table.columns.end(), columns.begin(), columns.end());
-  for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
-    std::vector<Cell> row{static_cast<long>(i + 1)};
-    for (Cell& cell : cells_of(comparison.contenders[i])) row.push_back(std::move(cell));
-    table.rows.push_back(row);
-  }
+  Table table{with_columns_of({"row"}, comparison)};
+  for (std::size_t i = 0; i < comparison.contenders.size(); ++i)
+    table.rows.push_back(with_contender({static_cast<long>(i + 1)}, comparison.contenders[i]));
   return without_empty_columns(table);
 }
 
 Table study_comparisons_table(const std::vector<StudyComparison>& comparisons) {
-  Table table{{"name", "curve"}};
-  const auto columns = columns_of(comparisons.front());
-  table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+  Table table{with_columns_of({"name", "curve"}, comparisons.front())};
   for (const StudyComparison& comparison : comparisons) {
     for (const StudyContender& contender : comparison.contenders) {
-      std::vector<Cell> row{given_text(comparison.study), contender.form + ", " + origin_of(contender)};
-      for (Cell& cell : cells_of(contender)) row.push_back(std::move(cell));
-      table.rows.push_back(row);
+      const std::string curve = contender.form + ", " + origin_of(contender);
+      table.rows.push_back(with_contender({given_text(comparison.study), curve}, contender));
     }
   }
   return table;

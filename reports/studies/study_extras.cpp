@@ -34,14 +34,13 @@ Table roundings_table(const std::vector<FittedStudy>& studies,
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (!rounded[i]) continue;
     const auto add = [&](const char* what, const RoundedStudySet& set) {
-      std::vector<Cell> row;
+      std::vector<Cell>& row = table.rows.emplace_back();
       for (const auto& [constant, value] : studies[i].asked().given) row.emplace_back(value);
       row.emplace_back(what);
       for (std::size_t k = 0; k < set.values.size(); ++k)
         row.insert(row.end(), {set.texts[k], hex_text(set.values[k])});
       row.push_back(at_most(set.max_error));
       for (const double place : set.at) row.emplace_back(Number{place, 6});
-      table.rows.push_back(row);
     };
     add(rounded[i]->is_proven ? "best" : "best found", rounded[i]->best);
     add("fitted, rounded", rounded[i]->naive);

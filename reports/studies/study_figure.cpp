@@ -1,7 +1,6 @@
 #include "reports/studies/study_figure.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,13 +117,12 @@ Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, con
     for (const char* column : {"target", "form", "error"})
       table.columns.push_back(fmt::format("{}_{}", column, i));
   for (const double x : abscissae(axis.lower, axis.upper)) {
-    std::vector<Cell> row{plotted(x)};
+    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(x)});
     for (const auto& [slice, label] : slices) {
       const double form = slice.at(slice.study->form, x);
       const double target = slice.study->rows ? NAN : slice.at(slice.study->target, x);
       for (const double value : {target, form, form - target}) row.push_back(plotted_if_finite(value));
     }
-    table.rows.push_back(row);
   }
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const Slice& slice = slices[i].first;
@@ -219,13 +217,12 @@ Figure better_study_figure(const StudyComparison& comparison) {
   std::vector<double> places = is_measured ? std::vector<double>{} : abscissae(axis.lower, axis.upper);
   for (const std::size_t row : rows) places.push_back(read.front().rows->places[0][row]);
   for (std::size_t place = 0; place < places.size(); ++place) {
-    std::vector<Cell> cells{plotted(places[place])};
+    auto& cells = table.rows.emplace_back(std::vector<Cell>{plotted(places[place])});
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const Slice slice{&read[i], &shown[i]->values, fixed};
       cells.push_back(plotted_if_finite(
           slice.at(weighted_error_of(read[i]).form, places[place], is_measured ? rows[place] : 0)));
     }
-    table.rows.push_back(cells);
   }
   panel.settings = range_of(axis) + "set yrange " + range_around(table, panel.curves) + "\n";
   const Plot plot{.name = "better",

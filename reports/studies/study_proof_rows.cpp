@@ -1,7 +1,6 @@
 #include "reports/studies/study_proof_rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "fit/support/hex_float.hpp"
 #include "reports/io/joined.hpp"
@@ -40,13 +39,12 @@ Table study_proofs_table(const std::vector<ProvenStudy>& proofs) {
   table.columns.emplace_back("boxes");
   for (const auto& [certified, from] : proofs) {
     const StudyCertificate& certificate = certified.certificate;
-    std::vector<Cell> row;
+    std::vector<Cell>& row = table.rows.emplace_back();
     for (const auto& [name, value] : certificate.subject.study.given) row.emplace_back(value);
     for (const auto& [name, value] : certificate.subject.parameters) row.emplace_back(value);
     row.insert(row.end(), {std::string(from), all_of(certificate.lower), all_of(certificate.upper)});
     for (const double coordinate : certificate.attained) row.push_back(all_of(coordinate));
     row.emplace_back(static_cast<long>(count_boxes(certificate)));
-    table.rows.push_back(row);
   }
   return table;
 }

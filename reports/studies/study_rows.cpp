@@ -87,15 +87,14 @@ Json alternation_json(const FittedStudy& study) {
 }
 
 Json published_json(const FittedStudy& study) {
-  Json array = Json::array();
-  for (const auto& [set, judgement] : study.published) {
-    array.push_back({{"values", json_object(set.values)},
-                     {"source", set.source},
-                     {"verdict", name(judgement.verdict)},
-                     {"objective", judgement.objective.empty() ? Json() : Json(judgement.objective)},
-                     {"fits_tried", judgement.tried}});
-  }
-  return array;
+  return json_array(study.published, [](const JudgedSet& judged) -> Json {
+    const auto& [set, judgement] = judged;
+    return {{"values", json_object(set.values)},
+            {"source", set.source},
+            {"verdict", name(judgement.verdict)},
+            {"objective", judgement.objective.empty() ? Json() : Json(judgement.objective)},
+            {"fits_tried", judgement.tried}};
+  });
 }
 
 /// Digits of an uncertainty: more would be noise.
@@ -198,14 +197,13 @@ Table study_table(const std::vector<FittedStudy>& studies) {
       std::ranges::any_of(studies, [](const FittedStudy& study) { return !study.published.empty(); });
   if (has_published) table.columns.insert(table.columns.end(), {"published", "verdict"});
   for (const FittedStudy& study : studies) {
-    std::vector<Cell> row;
+    std::vector<Cell>& row = table.rows.emplace_back();
     for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
     for (const double p : study.fit.parameters)
       row.push_back(is_answer(study) ? Cell(Number{p, all_digits}) : Cell());
     row.emplace_back(std::string(name(study.fit.status)));
-    row.push_back(is_answer(study) ? Cell(static_cast<long>(study.fit.digits)) : Cell());
-    row.push_back(is_answer(study) ? Cell(Number{study.fit.rms_error, 4}) : Cell());
     if (is_answer(study)) {
+      row.insert(row.end(), {static_cast<long>(study.fit.digits), Number{study.fit.rms_error, 4}});
       for (const Cell& cell : last_cells(study)) row.push_back(cell);
     }
     row.resize(table.columns.size() - (has_published ? 2 : 0));
@@ -215,7 +213,6 @@ Table study_table(const std::vector<FittedStudy>& studies) {
       row.emplace_back(
           joined(study.published, "; ", [](const JudgedSet& j) { return verdict_text(j.judgement); }));
     }
-    table.rows.push_back(row);
   }
   return table;
 }
@@ -257,13 +254,12 @@ Table uncertainty_table(const std::vector<FittedStudy>& studies) {
     table.columns.emplace_back(column);
   for (const FittedStudy& study : studies) {
     for (std::size_t i = 0; study.fit.statistics && i < study.fit.names.size(); ++i) {
-      std::vector<Cell> row;
+      std::vector<Cell>& row = table.rows.emplace_back();
       for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
       row.emplace_back(study.fit.names[i]);
       row.emplace_back(Number{study.fit.parameters[i], shown_digits});
       const std::vector<Cell> cells = cells_of(study, i);
       row.insert(row.end(), cells.begin(), cells.end());
-      table.rows.push_back(row);
     }
   }
   return table;
