@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"

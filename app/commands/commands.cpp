@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 
 #include "app/commands/study_commands.hpp"
@@ -31,23 +31,6 @@
 
 namespace shadefit {
 namespace {
-
-/// The messages of a run about its plots, and the call that writes all files.
-struct PreparedResults {
-  PlotsNews news;
-  std::function<void()> put;
-};
-
-/// Draws the pictures that can be drawn, then prepares all files at once, because the report shows only
-/// figures with a picture.
-PreparedResults prepare_results(const RunOptions& options, const Results& results, const OutputFolder& folder,
-                                const Checkpoint& checkpoint) {
-  auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
-  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
-  const auto report = report_files(results, figures);
-  files.insert(files.end(), report.begin(), report.end());
-  return {news, folder.prepare(files, missing, options.force, checkpoint)};
-}
 
 /// One line for each check that failed.
 std::string failed_lines(const Results& results) {
@@ -87,14 +70,6 @@ std::string failed_lines(const Results& results) {
   return err;
 }
 
-/// Whether a text contains another, ignoring case.
-bool holds(std::string_view text, std::string_view part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
-
 /// Whether a claim is about a family: about one of its published numbers, or by its name.
 bool is_on(std::string_view claim, std::string_view family) {
   return claim == family || claim.starts_with(std::string(family) + "-") ||
@@ -107,7 +82,7 @@ std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpo
   std::vector<JudgedClaim> claims;
   for (const Topic& topic : ledger) {
     for (const Claim& claim : topic.claims) {
-      if (options.topic && !holds(topic.title, *options.topic)) continue;
+      if (options.topic && !boost::icontains(topic.title, *options.topic)) continue;
       if (options.family && !is_on(claim.id, *options.family)) continue;
       claims.push_back({&topic, &claim, {}});
     }
@@ -130,7 +105,7 @@ void require_known_filters(const ListOptions& options) {
   for (const FittableFamily& family : fittable_families()) families.emplace_back(family.info.id);
   if (options.family) require_known(*options.family, families, "family");
   const bool is_topic = !options.topic || std::ranges::any_of(titles, [&](const auto& title) {
-    return holds(title, *options.topic);
+    return boost::icontains(title, *options.topic);
   });
   if (!is_topic)
     throw UserError(fmt::format("--topic '{}' is in no title of a topic: they are {}", *options.topic,
@@ -140,10 +115,9 @@ void require_known_filters(const ListOptions& options) {
 /// A row for a study.
 void add_study(Table& list, const StudyFile& file) {
   const std::string printed = file.published.empty() ? "-" : equations(file.published.front().values);
-  std::vector<Cell> row{file.id, printed, "a study: " + file.title};
+  auto& row = list.rows.emplace_back(std::vector<Cell>{file.id, printed, "a study: " + file.title});
   if (list.columns.size() == 4)
     row.insert(row.begin() + 2, fmt::format("{} ~ {}", file.study.target, file.forms.front().formula));
-  list.rows.push_back(row);
 }
 
 /// The claim that states the published constant of that id; any other id is returned.
@@ -160,7 +134,8 @@ std::string claim_of(const std::string& id) {
 
 /// Keeps the rows whose id contains the text. Throws UserError if none does.
 void keep_only(Table& list, const std::string& text) {
-  std::erase_if(list.rows, [&](const auto& row) { return !holds(std::get<std::string>(row.front()), text); });
+  std::erase_if(list.rows,
+                [&](const auto& row) { return !boost::icontains(std::get<std::string>(row.front()), text); });
   if (list.rows.empty())
     throw UserError(fmt::format("no id contains '{}': 'shadefit list' prints all ids", text));
 }
@@ -221,7 +196,12 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
                              checkpoint);
   const OutputFolder folder(options.out);
   const Results results = compute_results(options.only, checkpoint);
-  const auto [news, put] = prepare_results(options, results, folder, checkpoint);
+  // The report shows only figures with a picture, so these are drawn first.
+  auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
+  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  const auto report = report_files(results, figures);
+  files.insert(files.end(), report.begin(), report.end());
+  const auto put = folder.prepare(files, missing, options.force, checkpoint);
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));

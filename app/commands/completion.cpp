@@ -2,10 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
-#include <functional>
-#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -56,11 +53,6 @@ bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
 
-/// A branch of a bash or zsh case statement: the completions after `word` of a command.
-std::string shell_case(const std::string& command, const std::string& word, const std::string& action) {
-  return fmt::format("    {}:{}) {} ;;\n", command, word, action);
-}
-
 /// The shell code that completes words, paths, or nothing.
 struct Actions {
   std::string begin, words, paths, nothing, is_option, end;
@@ -68,6 +60,8 @@ struct Actions {
 
 /// Bash and zsh have the same shape: after a first word, cases of command and word before the cursor.
 std::string by_cases(const CLI::App& app, const Actions& actions) {
+  // A branch of a case statement: a command, the word before the cursor, and how to complete what follows.
+  constexpr const char* branch = "    {}:{}) {} ;;\n";
   const auto offer = [&](const std::string& type) {
     const Words words = words_for(app, type);
     if (!words.empty()) return fmt::format(fmt::runtime(actions.words), fmt::join(words, " "));
@@ -84,10 +78,11 @@ std::string by_cases(const CLI::App& app, const Actions& actions) {
         continue;
       }
       options.push_back("--" + option->get_lnames().front());
-      if (takes_value(*option)) out += shell_case(of, options.back(), offer(option->get_type_name()));
+      if (takes_value(*option))
+        out += fmt::format(branch, of, options.back(), offer(option->get_type_name()));
     }
-    out += shell_case(
-        of, "*",
+    out += fmt::format(
+        branch, of, "*",
         fmt::format("if {}; then {}; else {}; fi", actions.is_option,
                     fmt::format(fmt::runtime(actions.words), fmt::join(options, " ")), positional));
   }

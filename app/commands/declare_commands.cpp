@@ -1,6 +1,5 @@
 #include "app/commands/declare_commands.hpp"
 
-#include <array>
 #include <memory>
 #include <type_traits>
 

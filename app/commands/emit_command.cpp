@@ -118,11 +118,14 @@ std::string exponents_text(const std::vector<Setting>& settings) {
                      settings.size());
 }
 
-/// The comment above the code, whose proof is about numbers that are not rounded.
-std::vector<std::string> in_precision(ShaderPrecision precision, std::vector<std::string> comment) {
-  if (precision == ShaderPrecision::float16)
+/// A function below a comment with the command and these facts, which are about numbers that are not rounded.
+std::string code_with(const std::vector<std::string>& facts, const ShaderFunction& function,
+                      const EmitOptions& options) {
+  std::vector<std::string> comment{std::string(generated_line), command_of(options), ""};
+  comment.insert(comment.end(), facts.begin(), facts.end());
+  if (options.precision == ShaderPrecision::float16)
     comment.emplace_back("The rounding of constants and operations to half comes on top.");
-  return comment;
+  return shader_code({&function, 1}, *options.language, options.precision, comment);
 }
 
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
@@ -137,19 +140,14 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
   const Subject& subject = proven.chosen.subject;
 
-  const std::vector<std::string> comment{
-      std::string(generated_line),
-      command_of(options),
-      "",
+  const std::vector<std::string> facts{
       fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
       fmt::format("{} ({})", constants_text(subject.parameters), origin_of(named, proven.chosen, metric)),
       fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
                   decimal_above(proven.upper, 4), subject.domain.lower, subject.domain.upper,
                   family.has_exponent() ? exponents_text(settings) : ""),
   };
-  const std::array functions{function_of(family, options, subject)};
-  return shader_code(functions, *options.language, options.precision,
-                     in_precision(options.precision, comment));
+  return code_with(facts, function_of(family, options, subject), options);
 }
 
 /// What is known of the largest error of a study's code: proven where there is a proof, else sampled.
@@ -192,17 +190,12 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
     throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
   ShaderFunction function{name, {}, with_constants(read.form, subject.parameters)};
   for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
-  const std::vector<std::string> comment{
-      std::string(generated_line),
-      command_of(options),
-      "",
+  const std::vector<std::string> facts{
       fmt::format("{} for {}", study.form, study.rows ? "the rows of " + study.rows->file : study.target),
       fmt::format("{} ({})", constants_text(subject.parameters), origin),
       error_line(subject, checkpoint),
   };
-  const std::array functions{function};
-  return shader_code(functions, *options.language, options.precision,
-                     in_precision(options.precision, comment));
+  return code_with(facts, function, options);
 }
 
 }  // namespace
@@ -217,9 +210,8 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   if (options.fit.id.empty() && !options.fit.study.form)
     throw UserError("emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
   if (!options.language) {
-    std::vector<std::string_view> names;
-    for (const Language language : languages) names.push_back(name(language));
-    throw UserError(fmt::format("emit needs --lang: one of {}", fmt::join(names, ", ")));
+    const auto name_of = [](Language language) { return name(language); };
+    throw UserError("emit needs --lang: one of " + joined(languages, ", ", name_of));
   }
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const auto study = chosen_study(options.fit);

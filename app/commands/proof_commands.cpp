@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
 #include "app/options/fit_arguments.hpp"
@@ -14,7 +11,6 @@
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
-#include "reports/io/files.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/certificate_json.hpp"
 #include "reports/rows/fit_json.hpp"
@@ -101,9 +97,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
 
   std::string out;
   if (options.fit.json) {
-    auto array = nlohmann::ordered_json::array();
-    for (const CertifiedForm& form : forms) array.push_back(write_certified_json(form));
-    out = json_text_of_each(array);
+    out = json_text_of_each(json_array(forms, write_certified_json));
   } else {
     out = fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
                       first.form, name(error), to_text(first.subject.domain), first.precision) +

@@ -44,9 +44,7 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
 
   std::string out;
   if (options.fit.json) {
-    auto array = nlohmann::ordered_json::array();
-    for (const ProvenStudy& proof : proofs) array.push_back(study_proof_json(proof));
-    out = json_text_of_each(array);
+    out = json_text_of_each(json_array(proofs, study_proof_json));
   } else {
     out = (file.id.empty() ? "" : file.id + ": ") + proof_headline(first) + "\n" +
           write_console(study_proofs_table(proofs), Precision::full, options.fit.terminal) + ends_text(first);

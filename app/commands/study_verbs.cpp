@@ -1,7 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <utility>
 
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
@@ -95,11 +92,7 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
   if (options.plot)
     put = draw_picture(better_study_figure(comparisons.front()), *options.plot, options.force, checkpoint);
   if (options.csv) return {0, write_csv(study_comparisons_table(comparisons), Precision::full), "", put};
-  if (options.json) {
-    auto array = nlohmann::ordered_json::array();
-    for (const StudyComparison& comparison : comparisons) array.push_back(study_comparison_json(comparison));
-    return {0, json_text_of_each(array), "", put};
-  }
+  if (options.json) return {0, json_text_of_each(json_array(comparisons, study_comparison_json)), "", put};
   const auto shown = [&](const StudyComparison& comparison) {
     if (!options.latex) return console_text(comparison, options.terminal);
     return write_latex(with_digits(study_comparison_table(comparison), options.digits), Precision::report,
@@ -112,10 +105,12 @@ Outcome explain_study_command(const StudyFile& file, const ExplainOptions& optio
                               const Checkpoint& checkpoint, const Progress& progress) {
   const auto comparisons = comparisons_of(file, checkpoint, progress);
   if (!options.json) return {0, study_explanation(file, comparisons, options.terminal), ""};
-  nlohmann::ordered_json json{{"schema", 1}, {"id", file.id}, {"title", file.title}};
-  for (const StudyComparison& comparison : comparisons)
-    json["targets"].push_back(study_comparison_json(comparison));
-  return {0, json_text(json), ""};
+  return {0,
+          json_text({{"schema", 1},
+                     {"id", file.id},
+                     {"title", file.title},
+                     {"targets", json_array(comparisons, study_comparison_json)}}),
+          ""};
 }
 
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint) {

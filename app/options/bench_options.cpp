@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <string_view>
 
@@ -17,17 +16,14 @@ namespace {
 /// A width that this machine supports.
 forms::Width parse_width(const std::string& option, const std::string& text) {
   using forms::Width;
-  constexpr std::array<std::pair<std::string_view, Width>, 4> known{
-      {{"scalar", Width::scalar}, {"sse2", Width::sse2}, {"avx2", Width::avx2}, {"avx512", Width::avx512}}};
+  const Choices<Width> all{
+      {"scalar", Width::scalar}, {"sse2", Width::sse2}, {"avx2", Width::avx2}, {"avx512", Width::avx512}};
+  const Width width = parse_choice(all)(option, text);
   const auto here = forms::widths_here();
-  for (const auto& [word, width] : known) {
-    if (word != text) continue;
-    if (std::ranges::find(here, width) != here.end()) return width;
+  if (std::ranges::find(here, width) == here.end())
     throw UserError(fmt::format("{} '{}' is not of this machine: its widest registers are {}", option, text,
                                 forms::name(here.back())));
-  }
-  throw UserError(
-      fmt::format("{} '{}' is unknown: it must be one of scalar, sse2, avx2, avx512", option, text));
+  return width;
 }
 
 /// "A:B" with bit patterns of floats in [0, 1], decimal or 0x..

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "approx/ledger/catalogue.hpp"
-#include "approx/ledger/ledger.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/least_squares/weight.hpp"

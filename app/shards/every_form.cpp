@@ -1,13 +1,11 @@
 #include "app/shards/sweeps.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "app/shards/kept_sweep.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
 #include <vector>
 
 #include "app/options/bench_options.hpp"

@@ -71,10 +71,6 @@ std::optional<MeasuredDevice> measured_device(std::optional<std::size_t> place, 
   return MeasuredDevice{std::move(made), model};
 }
 
-void KeptSweep::keep() const {
-  bench::keep_state(path, sweep);
-}
-
 KeptSweep opened(const BenchOptions& options, const fs::path& out, const forms::Catalogue& catalogue,
                  const SweptForm& chosen, const std::optional<MeasuredDevice>& on) {
   KeptSweep kept{chosen, {}, {}, subject_of(catalogue, chosen)};
@@ -86,7 +82,7 @@ KeptSweep opened(const BenchOptions& options, const fs::path& out, const forms::
   if (const std::optional<Sweep> before = state_at(kept.path, kept.sweep)) {
     kept.sweep = *before;
   } else {
-    kept.keep();  // detects a full disk now, not after a minute
+    bench::keep_state(kept.path, kept.sweep);  // detects a full disk now, not after a minute
   }
   return kept;
 }
@@ -101,7 +97,7 @@ std::optional<Outcome> sweep_and_keep(std::vector<KeptSweep>& all, const Checkpo
   // Seconds of work that a killed process may lose.
   constexpr double longest_unkept = 10;
   const auto keep_all = [&] {
-    for (const KeptSweep& kept : all) kept.keep();
+    for (const KeptSweep& kept : all) bench::keep_state(kept.path, kept.sweep);
   };
   const auto share = [&] { return share_of(*running.front().sweep); };
   const double start = bench::now().real, share_before = share();

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/options/bench_options.hpp"
@@ -31,8 +30,6 @@ struct KeptSweep {
   std::filesystem::path path;
   bench::Sweep sweep;
   bench::FloatSubject subject;
-
-  void keep() const;
 };
 
 /// A new sweep, or the saved one in the directory `out`. Throws UserError if the saved one is of other work.

@@ -79,9 +79,7 @@ std::string words_of(const SweptForm& form) {
 }
 
 std::vector<float> in_float(const std::vector<double>& numbers) {
-  std::vector<float> floats;
-  for (const double number : numbers) floats.push_back(static_cast<float>(number));
-  return floats;
+  return {numbers.begin(), numbers.end()};
 }
 
 bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& chosen) {

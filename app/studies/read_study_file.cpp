@@ -11,7 +11,6 @@
 #include "app/options/study_options.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/toml_reader.hpp"
-#include "fit/support/user_error.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {
