@@ -18,7 +18,7 @@ namespace shadefit {
 /// A polynomial p(r) = 1 + c1 r + .. + cn r^n for 2^r on [-1/2, 1/2], minimax in the relative error among
 /// those that are exact at r = 0, so that a lobe's peak is 1 and whole powers are exact.
 ///
-/// Source: fitted and proven by this toolkit, fit/exp2/exp2_fit.hpp.
+/// Source: fitted and proven by this toolkit, tests/bench/exp2_fit.hpp.
 /// tests/bench/exp2_polynomial_test.cpp repeats it.
 struct Exp2Coefficients {
   int degree;

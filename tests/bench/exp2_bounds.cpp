@@ -4,12 +4,12 @@
 #include <array>
 #include <utility>
 
-#include "fit/exp2/exp2_error.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/proof/running_error.hpp"
 #include "fit/scalars/jet.hpp"
+#include "tests/bench/exp2_error.hpp"
 
 namespace shadefit::testing {
 namespace {

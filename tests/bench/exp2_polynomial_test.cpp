@@ -11,17 +11,19 @@
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
-#include "fit/exp2/exp2_fit.hpp"
 #include "fit/proof/exponent_bits.hpp"
 #include "fit/scalars/binary_logarithm.hpp"
 #include "tests/bench/exp2_bounds.hpp"
 #include "tests/bench/exp2_choices.hpp"
+#include "tests/bench/exp2_fit.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::exp2_bounds;
 using testing::Exp2Bounds;
+using testing::Exp2Fit;
+using testing::fit_exp2;
 using testing::for_each_degree;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();

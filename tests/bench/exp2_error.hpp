@@ -6,7 +6,7 @@
 #include "approx/scalar.hpp"
 
 /// The error of a polynomial for exp2 without its cancellation, for the fit and for the proof.
-namespace shadefit {
+namespace shadefit::testing {
 
 /// The terms of the tail that are summed. |x| <= 0.35, so each is at most a tenth of the one before.
 inline constexpr int tail_terms = 14;
@@ -40,4 +40,4 @@ T exp2_taylor_coefficient(int i) {
   return term;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::testing

@@ -1,16 +1,16 @@
-#include "fit/exp2/exp2_fit.hpp"
+#include "tests/bench/exp2_fit.hpp"
 
 #include <Eigen/Dense>
 #include <array>
 
 #include "approx/exp2_polynomial.hpp"
-#include "fit/exp2/exp2_error.hpp"
 #include "fit/minimax/minimax.hpp"
 #include "fit/minimax/minimax_curve.hpp"
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/scalars/jet.hpp"
+#include "tests/bench/exp2_error.hpp"
 
-namespace shadefit {
+namespace shadefit::testing {
 namespace {
 
 /// The error at r in [-1/2, 1/2]; P is T or has derivatives by the parameters, which are the deviations from
@@ -75,4 +75,4 @@ Exp2Fit fit_exp2(int degree) {
   return fit;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::testing

@@ -6,7 +6,7 @@
 #include "fit/least_squares/status.hpp"
 
 /// The polynomials of approx/exp2_polynomial.hpp, fitted.
-namespace shadefit {
+namespace shadefit::testing {
 
 /// p(r) = 1 + c1 r + .. + cn r^n with the least largest |p(r)/2^r - 1| on [-1/2, 1/2].
 struct Exp2Fit {
@@ -22,4 +22,4 @@ struct Exp2Fit {
 /// another.
 Exp2Fit fit_exp2(int degree);
 
-}  // namespace shadefit
+}  // namespace shadefit::testing
