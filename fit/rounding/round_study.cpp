@@ -7,6 +7,7 @@
 #include "fit/proof/interval_ends.hpp"
 #include "fit/rounding/lattice_search.hpp"
 #include "fit/scalars/integral.hpp"
+#include "fit/study/even_grid.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_proof/study_certificate.hpp"
@@ -30,23 +31,8 @@ void require_plain(const StudyObjective& objective, const NumberFormat& format) 
   refuse(objective.constraints != Constraints{}, "a constraint: rounding would break it");
 }
 
-/// The place of an evenly spaced grid over the ranges with so many places on each.
-std::vector<std::vector<double>> grid_of(const ReadStudy& study) {
-  constexpr std::array counts{16, 4, 2};
-  const int count = counts.at(study.axes.size() - 1);
-  std::vector<std::vector<double>> places{{}};
-  for (const StudyAxis& axis : study.axes) {
-    std::vector<std::vector<double>> longer;
-    for (const auto& place : places) {
-      for (int i = 0; i <= count; ++i) {
-        longer.push_back(place);
-        longer.back().push_back(axis.lower + (axis.upper - axis.lower) * i / count);
-      }
-    }
-    places = std::move(longer);
-  }
-  return places;
-}
+/// The steps of the grid of the first places, in one, two and three variables.
+constexpr std::array<int, most_axes> steps_of_grid{16, 4, 2};
 
 /// The constants on a lattice. A box of them is ruled out by an enclosure of the error at places where it is
 /// large; the error of a point is sampled and refined.
@@ -57,7 +43,7 @@ class StudyProblem {
       : study_(study),
         lattice_(lattice),
         error_(tape_of(error_formula(study), formula_inputs(study)), {}),
-        places_(grid_of(study)) {}
+        places_(even_grid(study.axes, steps_of_grid.at(study.axes.size() - 1))) {}
 
   double bound(const LatticeBox<N>& box, double best) {
     std::vector<Interval> inputs(study_.axes.size());

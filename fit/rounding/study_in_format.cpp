@@ -15,8 +15,7 @@ namespace shadefit {
 namespace {
 
 std::vector<std::string> inputs_of_form(const ReadStudy& study) {
-  std::vector<std::string> names;
-  for (const StudyAxis& axis : study.axes) names.push_back(axis.variable);
+  std::vector<std::string> names = variables_of(study.axes);
   names.insert(names.end(), study.parameters.begin(), study.parameters.end());
   return names;
 }

@@ -245,9 +245,7 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
 
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters) {
   if (study.rows) return largest_residual(study, parameters);
-  std::vector<std::vector<StudyEdge>> edges;
-  for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
-  return largest_error(study, edges, parameters);
+  return largest_error(study, edges_of(study), parameters);
 }
 
 ReadStudy weighted_error_of(const ReadStudy& study) {

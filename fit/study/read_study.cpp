@@ -181,12 +181,6 @@ Definitions definitions_of(const Study& study, const std::vector<std::string>& v
   return result;
 }
 
-std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes) {
-  std::vector<std::string> variables;
-  for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
-  return variables;
-}
-
 /// What the formulas of a study may name.
 FormulaNames names_of(const Study& study, const std::vector<std::string>& variables) {
   return {.variables = variables, .definitions = definitions_of(study, variables), .takes_integrals = true};
@@ -235,9 +229,14 @@ std::string density_of(const std::string& text, const std::string& variable) {
   return text == "cosine-weighted" ? variable : text;
 }
 
+std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes) {
+  std::vector<std::string> variables;
+  for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
+  return variables;
+}
+
 std::vector<std::string> node_variables(const ReadStudy& study) {
-  std::vector<std::string> names;
-  for (const StudyAxis& axis : study.axes) names.push_back(axis.variable);
+  std::vector<std::string> names = variables_of(study.axes);
   if (study.rows) names.emplace_back("value");
   if (study.rows && !study.rows->sigma.empty()) names.emplace_back("sigma");
   return names;

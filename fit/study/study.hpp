@@ -63,6 +63,9 @@ struct ReadStudy {
   bool has_only_starts = false;
 };
 
+/// The variables of axes.
+std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes);
+
 /// The variables of the formulas of a study at a node: those of the axes, and with rows `value` and, where
 /// the rows have it, `sigma`. Everything else is a parameter.
 std::vector<std::string> node_variables(const ReadStudy& study);

@@ -346,6 +346,12 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   return merged(axis, std::move(edges));
 }
 
+std::vector<std::vector<StudyEdge>> edges_of(const ReadStudy& study) {
+  std::vector<std::vector<StudyEdge>> edges;
+  for (std::size_t i = 0; i < study.axes.size() && !study.rows; ++i) edges.push_back(edges_of(study, i));
+  return edges;
+}
+
 bool is_one(const Symbolic& formula) {
   return formula.parts().empty() && formula.name() == "1";
 }

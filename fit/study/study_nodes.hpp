@@ -17,6 +17,8 @@ struct StudyEdge {
 /// The edges of an axis, rising: both ends of its range, and inside it the zeros of the hinges that depend on
 /// this variable alone.
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
+/// Those of each axis; none of measured rows.
+std::vector<std::vector<StudyEdge>> edges_of(const ReadStudy& study);
 
 /// The parts of the form at whose zeros it has a kink that parameters move: a x - b of max(a x, b).
 std::vector<Symbolic> moving_kinks(const ReadStudy& study);

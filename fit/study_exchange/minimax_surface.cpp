@@ -23,12 +23,6 @@
 namespace shadefit {
 namespace {
 
-std::vector<std::vector<StudyEdge>> all_edges_of(const ReadStudy& study) {
-  std::vector<std::vector<StudyEdge>> edges;
-  for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
-  return edges;
-}
-
 /// The exchange from one start.
 class SurfaceExchange {
  public:
@@ -41,7 +35,7 @@ class SurfaceExchange {
         weighted_(weighted_error_of(study)),
         parameters_(start),
         size_(parameters_.size()),
-        edges_(all_edges_of(study)),
+        edges_(edges_of(study)),
         polish_(weighted_, edges_),
         places_(weighted_) {}
 
@@ -269,7 +263,7 @@ class SurfaceExchange {
 StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& starts,
                                const Checkpoint& checkpoint) {
   const StudyError error(study);
-  const SearchedStudy searched = search_study(study, error, all_edges_of(study), starts, checkpoint);
+  const SearchedStudy searched = search_study(study, error, edges_of(study), starts, checkpoint);
 
   std::optional<StudyFit> lowest;
   // Returns where to go on: on the other side of infinity, if the lowest exchange so far ran there.

@@ -3,7 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "fit/study/even_grid.hpp"
 
 namespace shadefit {
 
@@ -17,20 +18,8 @@ StudyNodes nodes_at(const Places& places) {
   return nodes;
 }
 
-TopPlaces::TopPlaces(const ReadStudy& study) {
-  constexpr int count = 6;
-  places_ = {{}};
-  for (const StudyAxis& axis : study.axes) {
-    widths_.push_back(axis.upper - axis.lower);
-    Places longer;
-    for (const auto& place : places_) {
-      for (int i = 0; i <= count; ++i) {
-        longer.push_back(place);
-        longer.back().push_back(axis.lower + (axis.upper - axis.lower) * i / count);
-      }
-    }
-    places_ = std::move(longer);
-  }
+TopPlaces::TopPlaces(const ReadStudy& study) : places_(even_grid(study.axes, 6)) {
+  for (const StudyAxis& axis : study.axes) widths_.push_back(axis.upper - axis.lower);
   looks_.assign(places_.size(), look_);
 }
 

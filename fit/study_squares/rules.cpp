@@ -9,18 +9,12 @@ namespace {
 /// They cut panels.
 constexpr std::size_t coarse_rule = 0, fine_rule = 2;
 
-std::vector<std::vector<StudyEdge>> all_edges(const ReadStudy& study) {
-  std::vector<std::vector<StudyEdge>> edges;
-  for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
-  return edges;
-}
-
 }  // namespace
 
 Rules::Rules(const ReadStudy& study, const StudyError& error) : study_(study), error_(error) {
   if (is_of_rows()) return;
   kinks_ = moving_kinks(study);
-  fixed_ = edges_ = all_edges(study);
+  fixed_ = edges_ = edges_of(study);
 }
 
 std::size_t Rules::last() const {
@@ -45,7 +39,7 @@ void Rules::move_kinks(const std::vector<double>& parameters) {
   }
   frozen_ = study_;
   frozen_->form = at_parameters(study_, study_.form, parameters);
-  edges_ = all_edges(*frozen_);
+  edges_ = edges_of(*frozen_);
 }
 
 bool Rules::cut_panels(const std::vector<double>& parameters) {

@@ -50,8 +50,7 @@ std::shared_ptr<const MeasuredRows> rows_within(const ErrorClaim& claim, const S
 /// The nodes of a rule. Those of one variable are split where the error changes its sign: there its magnitude
 /// has a kink.
 StudyNodes nodes_for(const ReadStudy& study, const Symbolic& error) {
-  std::vector<std::vector<StudyEdge>> edges;
-  for (std::size_t i = 0; i < study.axes.size() && !study.rows; ++i) edges.push_back(edges_of(study, i));
+  std::vector<std::vector<StudyEdge>> edges = edges_of(study);
   if (edges.size() == 1) edges[0] = with_zeros(study.axes[0], edges[0], {error});
   return nodes_of(study, edges, fit_rules[6]);
 }
@@ -67,9 +66,7 @@ double mean_error(const ReadStudy& study, const std::vector<double>& parameters)
 
 /// The error of a kind. Throws UserError where it does not exist.
 double computed_error(StatedError error, const ReadStudy& study, const std::vector<double>& parameters) {
-  std::vector<std::vector<StudyEdge>> edges;
-  for (std::size_t i = 0; i < study.axes.size() && !study.rows; ++i) edges.push_back(edges_of(study, i));
-  require_values(study, nodes_of(study, edges, fit_rules.front()));
+  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
   switch (error) {
     case StatedError::max_abs_error:
     case StatedError::max_rel_error:

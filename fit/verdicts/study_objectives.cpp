@@ -93,8 +93,7 @@ std::vector<StudyAxis> ranges_of(const ReadStudy& read, const Samples& samples) 
 /// Appends least squares on evenly spaced samples of a target.
 void append_samples(const StudyObjective& asked, const ReadStudy& read, const Symbolic& target,
                     std::span<const Samples> usual, std::vector<StudyObjective>& objectives) {
-  std::vector<std::string> variables;
-  for (const StudyAxis& axis : read.axes) variables.push_back(axis.variable);
+  const std::vector<std::string> variables = variables_of(read.axes);
   const Tape tape = tape_of(target, variables);
   for (const Samples& samples : usual) {
     const auto rows = sampled(ranges_of(read, samples), tape, samples);
