@@ -14,18 +14,14 @@ namespace {
 constexpr double at_edge = 1e-5;
 
 Tape tape_of(const ReadStudy& weighted) {
-  std::vector<std::string> names;
-  for (const StudyAxis& axis : weighted.axes) names.push_back(axis.variable);
-  names.insert(names.end(), weighted.parameters.begin(), weighted.parameters.end());
-  Graph graph(names);
-  std::vector<int> outputs{graph.add(weighted.form)}, inputs;
+  Graph graph(formula_inputs(weighted));
+  std::vector<int> outputs{graph.add(weighted.form)};
   for (std::size_t i = 0; i < weighted.axes.size(); ++i)
     outputs.push_back(graph.derivative(outputs.front(), i));
   for (std::size_t i = 0; i < weighted.axes.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) outputs.push_back(graph.derivative(outputs[1 + i], j));
   }
-  for (const std::string& name : names) inputs.push_back(graph.add(Symbolic::variable(name)));
-  return {graph, outputs, inputs};
+  return {graph, outputs};
 }
 
 }  // namespace

@@ -14,9 +14,8 @@ namespace {
 
 /// The graph nodes of a curve.
 struct CurveNodes {
-  CurveNodes(const ReadStudy& study, const Symbolic& formula, CurveOf of) : graph(formula_inputs(study)) {
-    for (const std::string& name : formula_inputs(study))
-      inputs.push_back(graph.add(Symbolic::variable(name)));
+  CurveNodes(const ReadStudy& study, const Symbolic& formula, CurveOf of)
+      : graph(formula_inputs(study)), inputs(graph.input_nodes()) {
     value = graph.add(formula);
     if (of == CurveOf::slope) value = graph.derivative(value, 0);
     slope = graph.derivative(value, 0);

@@ -49,7 +49,6 @@ struct EnclosedError::Programs {
       for (std::size_t k = 0; k <= i; ++k) curvatures.push_back(graph.derivative(slopes[i], k));
     for (const int node : kinks.deciding_nodes()) slopes.push_back(node);
     for (const int node : jumps.deciding_nodes()) value.push_back(node);
-    for (std::size_t i = 0; i < graph.inputs().size(); ++i) given.push_back(graph.add(input(i)));
   }
 
   static std::vector<std::string> inputs_of(const ReadStudy& study, std::size_t integrals) {
@@ -58,13 +57,12 @@ struct EnclosedError::Programs {
     inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
     return inputs;
   }
-  Symbolic input(std::size_t i) const { return Symbolic::variable(graph.inputs()[i]); }
-  Tape tape(std::span<const int> outputs) const { return {graph, outputs, given}; }
+  Tape tape(std::span<const int> outputs) { return {graph, outputs}; }
 
   std::vector<Symbolic> integrals;
   Symbolic error;
   Graph graph;
-  std::vector<int> value, slopes, curvatures, given;
+  std::vector<int> value, slopes, curvatures;
   Jumps jumps, kinks;
 };
 

@@ -29,22 +29,16 @@ struct LowestValue::Programs {
         value(value_tape(graph, node, jumps)),
         slopes(slope_tape(graph, node, variables)) {}
 
-  static Tape tape(Graph& graph, std::span<const int> outputs) {
-    std::vector<int> given;
-    for (const std::string& input : std::vector(graph.inputs().begin(), graph.inputs().end()))
-      given.push_back(graph.add(Symbolic::variable(input)));
-    return {graph, outputs, given};
-  }
   static Tape value_tape(Graph& graph, int node, const Jumps& jumps) {
     std::vector<int> outputs{node};
     for (std::size_t i = 0; i < graph.nodes().size(); ++i) outputs.push_back(static_cast<int>(i));
     for (const int deciding : jumps.deciding_nodes()) outputs.push_back(deciding);
-    return tape(graph, outputs);
+    return {graph, outputs};
   }
   static Tape slope_tape(Graph& graph, int node, std::size_t variables) {
     std::vector<int> outputs;
     for (std::size_t i = 0; i < variables; ++i) outputs.push_back(graph.derivative(node, i));
-    return tape(graph, outputs);
+    return {graph, outputs};
   }
 
   // In this order: the slopes add nodes to the graph.

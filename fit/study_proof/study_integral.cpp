@@ -177,13 +177,12 @@ StudyIntegral::StudyIntegral(const ReadStudy& study, const Symbolic& integral,
   Graph graph(inputs);
   const int body = graph.add(on_unit_interval(integral));
   const Jumps jumps(graph);
-  std::vector<int> bodies{body}, bodies_and_jumps{body}, by_variable, given;
+  std::vector<int> bodies{body}, bodies_and_jumps{body}, by_variable;
   for (const int node : jumps.deciding_nodes()) bodies_and_jumps.push_back(node);
   for (std::size_t i = 0; i < study.axes.size(); ++i) by_variable.push_back(graph.derivative(body, 1 + i));
   const bool is_smooth = Jumps(graph).empty();  // no slope of a kink jumps
   const std::vector<int> twice{graph.derivative(by_variable.front(), 1)};
-  for (const std::string& input : inputs) given.push_back(graph.add(Symbolic::variable(input)));
-  const auto tape = [&](const std::vector<int>& outputs) { return Tape(graph, outputs, given); };
+  const auto tape = [&](const std::vector<int>& outputs) { return Tape(graph, outputs); };
   value_ = std::make_unique<Panels>(bodies.size(), tape(bodies_and_jumps), tape(bodies), jumps, parameters);
   if (!jumps.empty()) return;
   slopes_ =

@@ -127,6 +127,12 @@ int Graph::add(const Symbolic& e) {
   return node(result);
 }
 
+std::vector<int> Graph::input_nodes() {
+  std::vector<int> result;
+  for (int i = 0; i < static_cast<int>(inputs_.size()); ++i) result.push_back(node({Operation::input, i}));
+  return result;
+}
+
 bool Graph::is_whole(int i, int n) const {
   const GraphNode& at = nodes_[static_cast<std::size_t>(i)];
   return at.operation == Operation::constant && constant_at(i).name() == std::to_string(n);

@@ -65,6 +65,8 @@ class Graph {
 
   std::span<const GraphNode> nodes() const { return nodes_; }
   std::span<const std::string> inputs() const { return inputs_; }
+  /// The node of each input.
+  std::vector<int> input_nodes();
   /// Expressions of numbers alone.
   std::span<const Symbolic> constants() const { return constants_; }
 

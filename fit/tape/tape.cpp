@@ -84,10 +84,9 @@ template void TapeProgram<long double>::run(std::span<const long double>);
 
 Tape tape_of(const Symbolic& formula, std::span<const std::string> variables, std::size_t slopes) {
   Graph graph(variables);
-  std::vector<int> inputs, outputs{graph.add(formula)};
-  for (const std::string& name : variables) inputs.push_back(graph.add(Symbolic::variable(name)));
+  std::vector<int> outputs{graph.add(formula)};
   for (std::size_t i = 0; i < slopes; ++i) outputs.push_back(graph.derivative(outputs.front(), i));
-  return {graph, outputs, inputs};
+  return {graph, outputs};
 }
 
 }  // namespace shadefit

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -43,6 +42,8 @@ class Tape {
   /// The program that computes nodes of a graph from given nodes of it. What the outputs do not need is left
   /// out. Throws std::logic_error if an output needs an input of the graph that is not given.
   Tape(const Graph& graph, std::span<const int> outputs, std::span<const int> given);
+  /// From all inputs of the graph.
+  Tape(Graph& graph, std::span<const int> outputs) : Tape(graph, outputs, graph.input_nodes()) {}
 
   std::size_t input_count() const { return input_count_; }
   std::size_t output_count() const { return outputs_.size(); }
