@@ -12,4 +12,12 @@ ParameterMatrix<double> ScaledHessian::inverse() const {
   return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
 }
 
+void clear_rounding(std::span<double> parameters, const ParameterMatrix<double>& hessian,
+                    double target_norm) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    if (std::abs(parameters[i]) * std::sqrt(std::abs(hessian(k, k))) < 1e-16 * target_norm) parameters[i] = 0;
+  }
+}
+
 }  // namespace shadefit

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "fit/least_squares/sums.hpp"
@@ -39,5 +40,8 @@ long double relative_size(const Step& step, const std::vector<double>& parameter
   }
   return largest;
 }
+
+/// A parameter that moves the form by less than 1e-16 of the target is rounding: it becomes 0.
+void clear_rounding(std::span<double> parameters, const ParameterMatrix<double>& hessian, double target_norm);
 
 }  // namespace shadefit

@@ -12,8 +12,8 @@ bool is_fixed(const Contact& c) {
   return std::ranges::all_of(c.gradient, [](double g) { return g == 0; });
 }
 
-}  // namespace
-
+/// The maximum of sign * curve between low and high, from s: Newton on the slope, inside the interval that is
+/// known to contain the maximum.
 double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
              const MinimaxParameters& p) {
   for (int i = 0; i < 12; ++i) {
@@ -35,6 +35,8 @@ double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s,
   return s;
 }
 
+}  // namespace
+
 /// Whether the level limits this side of the error. A one-sided form has its level on one side only.
 double Contacts::share_of_level(Touch touch) const {
   if (touch == Touch::highest) return problem_.one_sided == Side::below ? 0 : 1;
@@ -53,6 +55,14 @@ Contact Contacts::contact(Touch touch, const SearchPlace& place, bool is_tangent
   const MinimaxCurve& curve = curve_of(touch);
   c.value = (is_tangent ? curve.slope_across : curve.across)(place, parameters, c.gradient);
   return c;
+}
+
+Contact Contacts::moved(const Contact& c) const {
+  SearchPlace place = c.place;
+  if (c.touch != Touch::exact && 0 < place.s && place.s < 1)
+    place.s = climb(curve_of(c.touch), place.panel, std::max(0.0, place.s - 0.01), place.s,
+                    std::min(1.0, place.s + 0.01), sign_of(c.touch), parameters);
+  return contact(c.touch, place, c.is_tangent);
 }
 
 /// The bound of a touch's curve, without the level.

@@ -44,11 +44,6 @@ inline bool is_of_slope(Touch touch) {
   return touch == Touch::falls || touch == Touch::rises;
 }
 
-/// The maximum of sign * curve between low and high, from s: Newton on the slope, inside the interval that is
-/// known to contain the maximum.
-double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
-             const MinimaxParameters& p);
-
 class Contacts {
  public:
   Contacts(const MinimaxProblem& problem, const MinimaxParameters& start)
@@ -74,6 +69,8 @@ class Contacts {
   /// Whether a constraint is violated infinitely: the target or a bound of a positive form is 0 there.
   bool is_impossible() const { return violation_ == HUGE_VAL; }
   Contact contact(Touch touch, const SearchPlace& place, bool is_tangent = false) const;
+  /// The contact at the present parameters. Inside a panel its place moves to the extremum.
+  Contact moved(const Contact& c) const;
   Condition condition(const Contact& c) const;
 
   void find_tangents();

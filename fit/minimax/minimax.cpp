@@ -186,11 +186,8 @@ class RemezExchange {
       long double level = 0;
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
         Contact& c = reference_[i];
+        c = here_.moved(c);
         const MinimaxCurve& curve = here_.curve_of(c.touch);
-        if (c.touch != Touch::exact && 0 < c.place.s && c.place.s < 1)
-          c.place.s = climb(curve, c.place.panel, std::max(0.0, c.place.s - 0.01), c.place.s,
-                            std::min(1.0, c.place.s + 0.01), sign_of(c.touch), here_.parameters);
-        c = here_.contact(c.touch, c.place, c.is_tangent);
         matrix[i] = here_.condition(c).slope;
         values[i] = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
         level += static_cast<long double>(multipliers_[i] * here_.share_of_level(c) * sign_of(c.touch)) *

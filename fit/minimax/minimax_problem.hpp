@@ -11,6 +11,7 @@
 #include "fit/least_squares/error_scale.hpp"
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/minimax/minimax.hpp"
+#include "fit/minimax/minimax_curve.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
@@ -127,9 +128,8 @@ class Minimax {
     return p;
   }
   /// As Jets that carry the derivatives by the free ones.
-  template <int Size>
-  std::array<ceres::Jet<double, Size>, N> seeded(const MinimaxParameters& free) const {
-    auto p = lifted<ceres::Jet<double, Size>>(free);
+  auto seeded(const MinimaxParameters& free) const {
+    auto p = lifted<ceres::Jet<double, static_cast<int>(N)>>(free);
     int next = 0;
     for (std::size_t i = 0; i < N; ++i) {
       if (!given_[i]) p[i].v[next++] = 1;
@@ -149,37 +149,25 @@ class Minimax {
   }
 
   MinimaxCurve curve(Kind kind) const {
-    constexpr int size = static_cast<int>(N);
-    using Jet = ceres::Jet<double, size>;
-    const auto set_gradient = [](const Jet& value, Unknowns& gradient) {
-      for (int i = 0; i < size; ++i) gradient[static_cast<std::size_t>(i)] = value.v[i];
-      return value.a;
+    const auto at = [this, kind]<class T, class P>(std::size_t panel, const T& s,
+                                                   const std::array<P, N>& free) {
+      return this->value(kind, sample(panel, s), lifted<P>(free));
     };
-    return {[this, kind](const MinimaxParameters& p, std::span<double> values) {
-              const auto q = lifted<double>(p);
-              for (std::size_t i = 0; i < samples_.size(); ++i) values[i] = value(kind, samples_[i], q);
-            },
-            [this, kind](const SearchPlace& place, const MinimaxParameters& p) {
-              using First = ceres::Jet<double, 1>;
-              using Second = ceres::Jet<First, 1>;
-              Second s(First(place.s, 0));
-              s.v[0] = First(1.0);
-              const Second along = value(kind, sample(place.panel, s), lifted<Second>(p));
-              return Along{along.a.a, along.a.v[0], along.v[0].v[0]};
-            },
-            [=, this](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-              return set_gradient(value(kind, sample(place.panel, place.s), seeded<size>(p)), gradient);
-            },
-            [this, kind](const SearchPlace& place, const WideParameters& p) {
-              return value(kind, sample(place.panel, static_cast<long double>(place.s)),
-                           lifted<long double>(p));
-            },
-            [=, this](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-              return set_gradient(slope_inward(kind, place, seeded<size>(p)), gradient);
-            },
-            [this, kind](const SearchPlace& place, const WideParameters& p) {
-              return slope_inward(kind, place, lifted<long double>(p));
-            }};
+    MinimaxCurve result = curve_of_error<N>(at, places_);
+    result.everywhere = [this, kind](const MinimaxParameters& p, std::span<double> values) {
+      const auto q = lifted<double>(p);
+      for (std::size_t i = 0; i < samples_.size(); ++i) values[i] = value(kind, samples_[i], q);
+    };
+    result.slope_across = [this, kind](const SearchPlace& place, const MinimaxParameters& p,
+                                       Unknowns& gradient) {
+      const auto slope = slope_inward(kind, place, seeded(p));
+      for (std::size_t i = 0; i < N; ++i) gradient[i] = slope.v[static_cast<int>(i)];
+      return slope.a;
+    };
+    result.wide_slope = [this, kind](const SearchPlace& place, const WideParameters& p) {
+      return slope_inward(kind, place, lifted<long double>(p));
+    };
+    return result;
   }
 
   /// The derivative by the distance from the end of a panel.

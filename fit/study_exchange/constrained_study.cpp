@@ -176,15 +176,6 @@ class ConstrainedFit {
       here_.parameters[i] = base[i] + step[static_cast<Eigen::Index>(i)];
   }
 
-  /// The contact at the present parameters. Inside a panel its place moves to the extremum.
-  Contact moved(const Contact& c) const {
-    SearchPlace place = c.place;
-    if (c.touch != Touch::exact && !c.is_tangent && 0 < place.s && place.s < 1)
-      place.s = climb(here_.curve_of(c.touch), place.panel, std::max(0.0, place.s - 0.01), place.s,
-                      std::min(1.0, place.s + 0.01), sign_of(c.touch), here_.parameters);
-    return here_.contact(c.touch, place, c.is_tangent);
-  }
-
   /// The gradient of a constraint; of an equation, in the direction of rising values.
   Vector gradient_of(const Contact& c) const {
     Vector result(size_);
@@ -202,9 +193,9 @@ class ConstrainedFit {
       const auto k = static_cast<std::size_t>(j);
       const double step = 1e-6 * std::max(std::abs(base[k]), 1e-3);
       here_.parameters[k] = base[k] + step;
-      const Vector above = gradient_of(moved(c));
+      const Vector above = gradient_of(here_.moved(c));
       here_.parameters[k] = base[k] - step;
-      result.col(j) = (above - gradient_of(moved(c))) / (2 * step);
+      result.col(j) = (above - gradient_of(here_.moved(c))) / (2 * step);
       here_.parameters = base;
     }
     return (result + result.transpose()) / 2;
@@ -238,7 +229,7 @@ class ConstrainedFit {
     lack.head(size_) = -sums.gradient;
     for (Eigen::Index i = 0; i < count; ++i) {
       auto& [contact, multiplier] = active_[static_cast<std::size_t>(i)];
-      contact = moved(contact);
+      contact = here_.moved(contact);
       const Vector gradient = gradient_of(contact);
       if (multiplier != 0) matrix.topLeftCorner(size_, size_) += multiplier * bend_of(contact);
       matrix.col(size_ + i).head(size_) = gradient;
@@ -259,16 +250,6 @@ class ConstrainedFit {
                                                 step.values[static_cast<Eigen::Index>(i)]);
     for (std::size_t i = 0; i < active_.size(); ++i)
       active_[i].multiplier += static_cast<double>(step.values[size_ + static_cast<Eigen::Index>(i)]);
-  }
-
-  /// A parameter that moves the form by less than 1e-16 of the target is rounding: it becomes 0.
-  void clear_rounding() {
-    const Matrix hessian = sampled_.derivatives(sized(here_.parameters, problem_.size)).hessian;
-    for (std::size_t i = 0; i < problem_.size; ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      if (std::abs(here_.parameters[i]) * std::sqrt(std::abs(hessian(k, k))) < 1e-16 * sampled_.target_norm())
-        here_.parameters[i] = 0;
-    }
   }
 
   void settle() {
@@ -301,7 +282,8 @@ class ConstrainedFit {
       square = check.square;
       take(check);
     }
-    clear_rounding();
+    const auto here = std::span(here_.parameters).first(problem_.size);
+    clear_rounding(here, sampled_.derivatives(here).hessian, sampled_.target_norm());
     fit_.digits = correct_digits(size);
     if (fit_.digits < least_study_digits) {
       fail(Status::not_converged, "Newton's method does not settle in long double");

@@ -4,7 +4,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
@@ -192,14 +191,6 @@ class LeastAtLevel {
     return matrix.fullPivLu().solve(lack).head(size);
   }
 
-  /// A parameter that moves the form by less than 1e-16 of the target is rounding: it becomes 0.
-  void clear_rounding(double target_norm) {
-    for (std::size_t i = 0; i < parameters_.size(); ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      if (std::abs(parameters_[i]) * std::sqrt(hessian_(k, k)) < 1e-16 * target_norm) parameters_[i] = 0;
-    }
-  }
-
   /// One rule after the other, until the next one moves no digit.
   StudyFit settled_fit() {
     StudyFit fit;
@@ -211,7 +202,7 @@ class LeastAtLevel {
       const auto target_norm = static_cast<double>(sampled.target_norm());
       size = relative_size(first, parameters_, hessian_, target_norm);
       parameters_ = moved_by(newton(sampled), parameters_);
-      clear_rounding(target_norm);
+      clear_rounding(parameters_, hessian_, target_norm);
     }
     fit.parameters = parameters_;
     fit.digits = correct_digits(size);

@@ -71,13 +71,8 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
     if (!(size < best)) continue;
     best = size;
     // The step of the larger rule, in the wider arithmetic, is the better answer.
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      fit.parameters[i] = static_cast<double>(static_cast<long double>(parameters[i]) + step[k]);
-      // A parameter that moves the form by less than 1e-16 of the target is rounding.
-      if (std::abs(fit.parameters[i]) * std::sqrt((*hessian)(k, k)) < 1e-16 * fine.target_norm())
-        fit.parameters[i] = 0;
-    }
+    fit.parameters = moved_by<long double>(step, parameters);
+    clear_rounding(fit.parameters, *hessian, fine.target_norm());
     fit.digits = correct_digits(size);
     fit.rms_error = static_cast<double>(std::sqrt(sums.square));
     fit.status = Status::converged;
