@@ -171,23 +171,12 @@ std::string contradiction_in(const F& family, const Fit& fit) {
 template <class F>
 Fit fit(const Setting& setting, const Metric& metric) {
   const auto family = make_family<F>(setting);
-  const Solution optimum = solve(family, metric);
-  Fit result{.family = &F::info,
-             .exponent = F::info.sweep.empty() ? std::nullopt : std::optional(setting.exponent),
-             .surface = is_fresnel_family<F>() ? setting.surface : Surface{},
-             .metric = metric,
-             .parameters = optimum.parameters,
-             .status = optimum.status,
-             .iterations = optimum.iterations,
-             .digits = optimum.digits,
-             .rms_error = optimum.rms_error,
-             .max_abs_error = {},
-             .max_rel_error = std::nullopt,
-             .relative_domain = {},
-             .relative_to = family.relative_to(),
-             .level = optimum.level,
-             .alternation = optimum.alternation,
-             .why = optimum.why};
+  Fit result{solve(family, metric)};
+  result.family = &F::info;
+  if (!F::info.sweep.empty()) result.exponent = setting.exponent;
+  if (is_fresnel_family<F>()) result.surface = setting.surface;
+  result.metric = metric;
+  result.relative_to = family.relative_to();
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
     result.max_rel_error = max_rel_error<F>(setting, metric.domain, result.parameters);

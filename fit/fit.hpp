@@ -4,17 +4,15 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "approx/records/record.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/errors/exact_fresnel.hpp"
 #include "fit/errors/extremum.hpp"
 #include "fit/families/surface.hpp"
-#include "fit/least_squares/status.hpp"
-#include "fit/minimax/alternation.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/solve/solution.hpp"
 
 /// One fit and its result, and the families that can be fitted.
 namespace shadefit {
@@ -30,26 +28,16 @@ struct Setting {
 };
 
 /// The result of a fit: constants, their digits, and the errors of the fitted curve.
-struct Fit {
-  const Family* family;
-  std::optional<double> exponent;  ///< empty where the family has none
-  Surface surface;                 ///< of a Fresnel form
-  Metric metric;
-  std::vector<double>
-      parameters;  ///< in the order of the family's names; an answer only if `status` is converged
-  Status status;
-  int iterations;  ///< Ceres and Newton steps together
-  int digits;      ///< correct digits of the worst parameter, at most 14
-  /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2), with the error of the
-  /// metric. A constant weight changes nothing. Never above the largest error.
-  double rms_error;
-  Extremum max_abs_error;                 ///< of form - target
-  std::optional<Extremum> max_rel_error;  ///< relative to `relative_to`; empty if that has no meaning
-  Domain relative_domain;                 ///< the range of its search
-  std::string relative_to;
-  std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest weight * |error|
-  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit
-  std::string why = {};  ///< of a fit that did not converge, if its status is not enough
+struct Fit : Solution {
+  const Family* family = nullptr;
+  std::optional<double> exponent = std::nullopt;  ///< empty where the family has none
+  Surface surface = {};                           ///< of a Fresnel form
+  Metric metric = {};
+  Extremum max_abs_error = {};  ///< of form - target
+  /// Relative to `relative_to`; empty if that has no meaning.
+  std::optional<Extremum> max_rel_error = std::nullopt;
+  Domain relative_domain = {};  ///< the range of its search
+  std::string relative_to = {};
 };
 
 /// A form beside its target at one cosine. On an exact surface both are Fresnel weights f, F = f0 + (1-f0) f.

@@ -15,10 +15,9 @@
 namespace shadefit {
 
 /// The common part of the Fresnel families: a form is fitted to (F - f0)/(1 - f0). Without a surface the
-/// target is Schlick's (1-c)^5.
+/// target is Schlick's (1-c)^5. `Form` is the family itself, which says how its form is evaluated.
 template <class Form, int N>
 struct FresnelFamily {
-  static constexpr bool is_linear = Form::is_linear;
   /// Errors are those of the reflectance F = f0 + (1 - f0) f. Without a surface, the target is Schlick's
   /// formula for every f0, and errors are those of f.
   Surface surface = {};
@@ -79,14 +78,15 @@ struct FresnelFamily {
     return surface.is_named() ? factor / (integer<T>(1) - normal_reflectance<T>(surface)) : factor;
   }
 
-  /// log(form), linear in the parameters of an exponential form.
-  template <class T, class P>
-  requires Form::is_exponential P log_form(const Sample<T>& s, const std::array<P, N>& p)
+  /// log(form), linear in the parameters of an exponential form. `F` is the form: it is asked when it is
+  /// known.
+  template <class T, class P, class F = Form>
+  requires F::is_exponential P log_form(const Sample<T>& s, const std::array<P, N>& p)
   const { return log(form(s, p)); }
 
   /// log(form/target), infinite where the target is 0 or, as a metal's may be, below.
-  template <class T, class P>
-  requires Form::is_exponential P log_ratio(const Sample<T>& s, const std::array<P, N>& p)
+  template <class T, class P, class F = Form>
+  requires F::is_exponential P log_ratio(const Sample<T>& s, const std::array<P, N>& p)
   const { return log_form(s, p) - lift<P>(log(positive_part(s.target))); }
 
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
@@ -99,26 +99,15 @@ struct FresnelFamily {
   }
 };
 
-struct OneTermForm {
+/// (1-c)^5, or the weight of a surface, by exp2(-A c).
+struct FresnelOneTerm : FresnelFamily<FresnelOneTerm, 1> {
+  static constexpr const Family& info = fresnel_one_term_family;
+  static constexpr std::array<std::string_view, 1> parameters{"A"};
   static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_one_term(c, p[0]);
   }
-};
-
-struct QuadraticForm {
-  static constexpr bool is_exponential = true, is_linear = true;
-  template <class P>
-  static P evaluate(const P& c, const std::array<P, 2>& p) {
-    return fresnel_quadratic(c, p[0], p[1]);
-  }
-};
-
-/// (1-c)^5, or the weight of a surface, by exp2(-A c).
-struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
-  static constexpr const Family& info = fresnel_one_term_family;
-  static constexpr std::array<std::string_view, 1> parameters{"A"};
   std::array<std::array<double, 1>, 3> starts() const {
     const double half = half_sharpness();
     return {{{half / 3}, {half}, {2 * half}}};
@@ -126,9 +115,14 @@ struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
 };
 
 /// (1-c)^5, or the weight of a surface, by exp2((a c + b) c).
-struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
+struct FresnelQuadratic : FresnelFamily<FresnelQuadratic, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
+  static constexpr bool is_exponential = true, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 2>& p) {
+    return fresnel_quadratic(c, p[0], p[1]);
+  }
   /// Inside a dielectric the target stays at 1 from grazing to the critical angle, then falls: good curves
   /// rise before they fall.
   std::array<std::array<double, 2>, 3> starts() const {
@@ -139,50 +133,15 @@ struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   }
 };
 
-struct CubicForm {
+/// (1-c)^5, or the weight of a surface, by exp2(((a c + b) c + d) c).
+struct FresnelCubic : FresnelFamily<FresnelCubic, 3> {
+  static constexpr const Family& info = fresnel_cubic_family;
+  static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};
   static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 3>& p) {
     return fresnel_cubic(c, p[0], p[1], p[2]);
   }
-};
-
-struct QuarticForm {
-  static constexpr bool is_exponential = true, is_linear = true;
-  template <class P>
-  static P evaluate(const P& c, const std::array<P, 4>& p) {
-    return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
-  }
-};
-
-struct FourthForm {
-  static constexpr bool is_exponential = false, is_linear = true;
-  template <class P>
-  static P evaluate(const P& c, const std::array<P, 1>& p) {
-    return fresnel_fourth(c, p[0]);
-  }
-};
-
-struct SquareForm {
-  static constexpr bool is_exponential = false, is_linear = true;
-  template <class P>
-  static P evaluate(const P& c, const std::array<P, 2>& p) {
-    return fresnel_square(c, p[0], p[1]);
-  }
-};
-
-struct RationalForm {
-  static constexpr bool is_exponential = false, is_linear = false;
-  template <class P>
-  static P evaluate(const P& c, const std::array<P, 1>& p) {
-    return fresnel_rational(c, p[0]);
-  }
-};
-
-/// (1-c)^5, or the weight of a surface, by exp2(((a c + b) c + d) c).
-struct FresnelCubic : FresnelFamily<CubicForm, 3> {
-  static constexpr const Family& info = fresnel_cubic_family;
-  static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};
   std::array<std::array<double, 3>, 3> starts() const {
     const double d = half_sharpness(), b = d * d;
     return {{{-b / 8, -b / 8, -d}, {b / 8, -b / 8, -d}, {-b / 8, -b / 4, -d / 2}}};
@@ -190,9 +149,14 @@ struct FresnelCubic : FresnelFamily<CubicForm, 3> {
 };
 
 /// (1-c)^5, or the weight of a surface, by exp2((((a c + b) c + d) c + g) c).
-struct FresnelQuartic : FresnelFamily<QuarticForm, 4> {
+struct FresnelQuartic : FresnelFamily<FresnelQuartic, 4> {
   static constexpr const Family& info = fresnel_quartic_family;
   static constexpr std::array<std::string_view, 4> parameters{"a", "b", "d", "g"};
+  static constexpr bool is_exponential = true, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 4>& p) {
+    return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
+  }
   std::array<std::array<double, 4>, 3> starts() const {
     const double g = half_sharpness(), d = g * g;
     return {{{-d / 16, -d / 16, -d / 8, -g}, {d / 16, -d / 8, -d / 8, -g}, {-d / 8, d / 16, -d / 8, -g}}};
@@ -200,23 +164,38 @@ struct FresnelQuartic : FresnelFamily<QuarticForm, 4> {
 };
 
 /// (1-c)^5, or the weight of a surface, by s (1-c)^4.
-struct FresnelFourth : FresnelFamily<FourthForm, 1> {
+struct FresnelFourth : FresnelFamily<FresnelFourth, 1> {
   static constexpr const Family& info = fresnel_fourth_family;
   static constexpr std::array<std::string_view, 1> parameters{"s"};
+  static constexpr bool is_exponential = false, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_fourth(c, p[0]);
+  }
   static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
 };
 
 /// (1-c)^5, or the weight of a surface, by (1-c)^2 (1 + (a c + b) c).
-struct FresnelSquare : FresnelFamily<SquareForm, 2> {
+struct FresnelSquare : FresnelFamily<FresnelSquare, 2> {
   static constexpr const Family& info = fresnel_square_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
+  static constexpr bool is_exponential = false, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 2>& p) {
+    return fresnel_square(c, p[0], p[1]);
+  }
   static std::array<std::array<double, 2>, 3> starts() { return {{{1, -1}, {2, -3}, {4, -4}}}; }
 };
 
 /// (1-c)^5, or the weight of a surface, by (1-c)^4/(1 + a c).
-struct FresnelRational : FresnelFamily<RationalForm, 1> {
+struct FresnelRational : FresnelFamily<FresnelRational, 1> {
   static constexpr const Family& info = fresnel_rational_family;
   static constexpr std::array<std::string_view, 1> parameters{"a"};
+  static constexpr bool is_exponential = false, is_linear = false;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_rational(c, p[0]);
+  }
   static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
 
   template <class P>

@@ -10,16 +10,17 @@
 /// What a solver answers.
 namespace shadefit {
 
-/// The result of a solver, with all parameters of the family in its order.
 struct Solution {
-  std::vector<double> parameters;
+  std::vector<double> parameters;  ///< in the order of the family; an answer only if `status` is converged
   Status status = Status::not_converged;
-  int iterations = 0;
-  int digits = 0;
-  double rms_error = 0;  ///< sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2)
-  std::optional<double> level = std::nullopt;
-  std::vector<AlternationPoint> alternation = {};
-  std::string why = {};
+  int iterations = 0;  ///< Ceres and Newton steps together
+  int digits = 0;      ///< correct digits of the worst parameter, at most 14
+  /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2), with the error of the
+  /// metric. A constant weight changes nothing. Never above the largest error.
+  double rms_error = 0;
+  std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest weight * |error|
+  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit
+  std::string why = {};  ///< of a fit that did not converge, if its status is not enough
 };
 
 }  // namespace shadefit
