@@ -5,7 +5,6 @@
 #include <compare>
 #include <concepts>
 #include <optional>
-#include <string_view>
 
 #include "approx/fresnel.hpp"
 #include "fit/quadrature/substitution.hpp"

@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 #include <variant>
 
 #include "fit/formula/formula_text.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <stdexcept>
 
 #include "approx/scalar.hpp"
 #include "fit/scalars/functions.hpp"

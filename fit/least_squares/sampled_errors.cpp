@@ -27,12 +27,7 @@ std::size_t free_count(const GivenParameters& given) {
 }
 
 ParameterVector<double> free_ones(const GivenParameters& given, const ParameterVector<double>& all) {
-  ParameterVector<double> free(static_cast<Eigen::Index>(free_count(given)));
-  auto next = free.begin();
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    if (!given[i]) *next++ = all[static_cast<Eigen::Index>(i)];
-  }
-  return free;
+  return all(free_indices(given));
 }
 
 SampledErrors of_free(const SampledErrors& all, const GivenParameters& given) {

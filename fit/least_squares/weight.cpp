@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "fit/formula/parse_formula.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
+#include "fit/support/decimal.hpp"
 
 namespace shadefit {
 namespace {
@@ -142,13 +142,6 @@ std::vector<Shape::Edge> tidied(std::vector<Shape::Edge> edges, const Domain& do
   return result;
 }
 
-std::string text_of(double value) {
-  if (std::isnan(value)) return "nan";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 /// The places where a weight is sampled between two of its edges, ends included, in rising order.
 std::vector<std::vector<double>> pieces_of(const Weight& weight) {
   const Domain& domain = weight.domain();
@@ -208,7 +201,8 @@ std::optional<std::string> find_fault(const Weight& weight) {
     for (const double c : piece) {
       const double value = weight.at(c);
       if (!std::isfinite(value))
-        return "is " + text_of(value) + " at c = " + to_text(c) + ": it must be finite over the domain";
+        return "is " + (std::isnan(value) ? "nan" : decimal(value, 6)) + " at c = " + to_text(c) +
+               ": it must be finite over the domain";
       largest = std::max(largest, std::abs(value));
     }
   }
@@ -220,7 +214,7 @@ std::optional<std::string> find_fault(const Weight& weight) {
     if (!(weight.at(c) <= 1e-12 * largest)) return std::nullopt;
     const Decimal50 value = wide_value_at(*weight.formula(), c);
     if (!(value < -nothing)) return std::nullopt;
-    return "is " + text_of(static_cast<double>(value)) + " at c = " + to_text(c) +
+    return "is " + decimal(static_cast<double>(value), 6) + " at c = " + to_text(c) +
            ": it must not be negative over the domain";
   };
   for (const auto& piece : pieces) {
@@ -241,12 +235,12 @@ std::optional<std::string> find_fault(const Weight& weight) {
       return abs(wide_value_at(*weight.formula(), c)) <= nothing;
     });
     if (is_zero)
-      return "is 0 from c = " + text_of(lower) + " to c = " + text_of(upper) +
+      return "is 0 from c = " + decimal(lower, 6) + " to c = " + decimal(upper, 6) +
              ": it may be 0 at single places only";
   }
   if (!(1 / largest_weight <= largest && largest <= largest_weight))
-    return "is " + text_of(largest) + " at its largest: that must lie between " +
-           text_of(1 / largest_weight) + " and " + text_of(largest_weight);
+    return "is " + decimal(largest, 6) + " at its largest: that must lie between " +
+           decimal(1 / largest_weight, 6) + " and " + decimal(largest_weight, 6);
   return std::nullopt;
 }
 

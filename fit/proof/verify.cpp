@@ -29,28 +29,15 @@ std::string check_subject(const Certificate& certificate) {
   return fault_of_bounds(certificate.lower, certificate.upper, certificate.precision);
 }
 
-/// The places where the largest error may be, by their distances from each side.
-struct Places {
-  std::vector<Box> horizon, peak;
-
-  const std::vector<Box>& of(Origin side) const { return side == Origin::horizon ? horizon : peak; }
-
-  bool holds(const Box& box) const {
-    const auto& places = of(box.side);
-    const auto after =
-        std::upper_bound(places.begin(), places.end(), box.lower,
-                         [](double distance, const Box& place) { return distance < place.lower; });
-    return after != places.begin() && box.upper <= std::prev(after)->upper;
-  }
-};
+/// Whether all cosines of a box are at most those of another.
+bool cosine_rises(const Box& from, const Box& to) {
+  if (from.side != to.side) return from.side == Origin::horizon;
+  return from.side == Origin::horizon ? from.upper <= to.lower : to.upper <= from.lower;
+}
 
 /// Where the places are parts of the domain by rising cosine, none within another.
 std::string check_places(const Certificate& certificate) {
   const std::vector<Box> domain = boxes_of(certificate.subject.domain);
-  const auto cosine_rises = [](const Box& a, const Box& b) {
-    if (a.side != b.side) return a.side == Origin::horizon;
-    return a.side == Origin::horizon ? a.upper <= b.lower : b.upper <= a.lower;
-  };
   const auto& places = certificate.places;
   if (places.empty()) return "it names no place of the largest error";
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -64,12 +51,12 @@ std::string check_places(const Certificate& certificate) {
   return "";
 }
 
-Places places_of(const Certificate& certificate) {
-  Places places;
-  for (const Box& place : certificate.places)
-    (place.side == Origin::horizon ? places.horizon : places.peak).push_back(place);
-  std::ranges::reverse(places.peak);
-  return places;
+/// Whether a box lies in a place where the largest error may be.
+bool is_in_a_place(const Box& box, const std::vector<Box>& places) {
+  const auto place =
+      std::ranges::partition_point(places, [&](const Box& before) { return cosine_rises(before, box); });
+  return place != places.end() && place->side == box.side && place->lower <= box.lower &&
+         box.upper <= place->upper;
 }
 
 /// The boxes of a side between two distances, where the ends say that they cover it.
@@ -146,11 +133,10 @@ std::string check_boxes(const Certificate& certificate, const ShareDone& done) {
   const auto [error, form] = certified_formula(certificate.subject);
   if (std::string reason = check_attained(certificate, error); !reason.empty()) return reason;
   const std::vector<Box> boxes = boxes_in(certificate);
-  const Places places = places_of(certificate);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     done(static_cast<double>(i) / static_cast<double>(boxes.size()));
     const Box& box = boxes[i];
-    const bool is_a_place = places.holds(box);
+    const bool is_a_place = is_in_a_place(box, certificate.places);
     if (!is_bounded_by(error, box, is_a_place ? certificate.upper : certificate.lower))
       return "the error may exceed the " +
              std::string(is_a_place ? "upper bound" : "lower bound outside of its places") + " at " +

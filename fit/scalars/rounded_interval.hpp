@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "approx/scalar.hpp"
 #include "fit/scalars/gpu_model.hpp"

@@ -2,12 +2,12 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <utility>
 
 #include "fit/least_squares/levenberg.hpp"
 #include "fit/study/projection.hpp"
+#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -117,11 +117,7 @@ class Profile {
     }
     if (excess_inside == 0) return direction * inside;
     // 30 bits of the distance, because an end is shown with six digits.
-    std::uintmax_t steps = 100;
-    const auto root =
-        boost::math::tools::toms748_solve(excess, inside, outside, excess_inside, excess_outside,
-                                          boost::math::tools::eps_tolerance<double>(30), steps);
-    return direction * (root.first + root.second) / 2;
+    return direction * root_between(excess, inside, outside, excess_inside, excess_outside, 30);
   }
 
  private:

@@ -8,7 +8,6 @@
 #include <map>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "fit/least_squares/levenberg.hpp"
 #include "fit/quadrature/rule_choice.hpp"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include "fit/minimax/minimax.hpp"
 #include "fit/study/largest_error.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include "fit/support/decimal.hpp"
@@ -29,9 +28,7 @@ double positive(std::string_view text, const std::string& of = "") {
 
 /// The number rounded to 15 digits, so that 0.1 + 2 * 0.1 is 0.3.
 double without_rounding(double x) {
-  char digits[32];
-  const auto written = std::to_chars(std::begin(digits), std::end(digits), x, std::chars_format::general, 15);
-  return *parse_number({digits, written.ptr});
+  return *parse_number(decimal(x, 15));
 }
 
 void append_range(std::vector<double>& numbers, std::string_view part) {
