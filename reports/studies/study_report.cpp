@@ -142,13 +142,17 @@ std::vector<std::string> published_lines(const PublishedSet& set,
 std::string study_explanation(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
                               const Terminal& terminal) {
   std::string out = study_title(file) + "\n";
-  for (const std::string& line : study_statement(file)) out += line + "\n";
-  constexpr std::string_view indent = "  ";
-  const std::size_t room = terminal.width == 0 ? std::string::npos : terminal.width - indent.size();
+  const auto add = [&](const std::vector<std::string>& lines) {
+    constexpr std::size_t indent = 2;
+    for (const std::string& line : lines)
+      out += terminal.width == 0
+                 ? line + "\n"
+                 : fmt::format("{}\n", fmt::join(folded(line, terminal.width - indent), "\n  "));
+  };
+  add(study_statement(file));
   for (const PublishedSet& set : file.published) {
     out += "\n";
-    for (const std::string& line : published_lines(set, comparisons))
-      out += fmt::format("{}\n", fmt::join(folded(line, room), fmt::format("\n{}", indent)));
+    add(published_lines(set, comparisons));
   }
   return with_coloured_verdicts(out, terminal);
 }

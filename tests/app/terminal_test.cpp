@@ -80,7 +80,7 @@ std::size_t widest(const std::string& text) {
 
 TEST(Terminal, TablesAndExplanationsFitTheWidthAndAPipeHasAll) {
   const std::vector<std::vector<std::string>> calls{
-      {"fit", "fresnel-quadratic"}, {"list"}, {"list", "--verdict", "refuted"}, {"explain", "acos-linear"}};
+      {"fit", "fresnel-quadratic"}, {"list"}, {"list", "--verdict", "refuted"}, {"explain", "acos-cubic"}};
   for (const auto& call : calls) {
     const std::string piped = run_command_line(call).out;
     for (const unsigned short width : std::array<unsigned short, 2>{80, 200})
