@@ -9,7 +9,7 @@
 #include "app/studies/chosen_study.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/better.hpp"
-#include "fit/proof/enclosure.hpp"
+#include "fit/proof/bound_width.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/io/joined.hpp"

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "app/options/finding_format.hpp"
+#include "fit/proof/bound_width.hpp"
 #include "fit/proof/certificate.hpp"
-#include "fit/proof/enclosure.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/sweep.hpp"
 

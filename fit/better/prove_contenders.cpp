@@ -6,6 +6,7 @@
 
 #include "fit/scalars/integral.hpp"
 #include "fit/study_proof/prove_shape.hpp"
+#include "fit/study_proof/study_integral.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -17,7 +18,7 @@ void prove(StudyContender& contender, const StudySubject& subject, const KnownIn
   constexpr double width = 1e-4;  // the pages show four digits
   const std::size_t most = integral_depth(read_formulas(subject.study).target) > 0 ? 1'500 : 20'000;
   try {
-    const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most, known);
+    const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most, &known);
     contender.bound = certificate.upper;
     if (is_reached) {
       contender.proof = {certificate.lower, certificate.upper, count_boxes(certificate)};

@@ -1,25 +1,10 @@
 #pragma once
 
-#include <string_view>
-
+#include "fit/errors/binary_format.hpp"
 #include "fit/scalars/multiprecision.hpp"
 
 /// The ruler: the distance of a computed number from the truth, in units of the last place of its format.
 namespace shadefit {
-
-/// A binary format of IEEE 754. Its normal numbers are +-m 2^(e - digits + 1) with a whole m in
-/// [2^(digits - 1), 2^digits) and e from `least_exponent` to `greatest_exponent`; below them the subnormal
-/// ones have the spacing of the least.
-struct BinaryFormat {
-  std::string_view name;
-  int digits;
-  int least_exponent;
-  int greatest_exponent;
-};
-
-inline constexpr BinaryFormat half_format{"half", 11, -14, 15};
-inline constexpr BinaryFormat float_format{"float", 24, -126, 127};
-inline constexpr BinaryFormat double_format{"double", 53, -1022, 1023};
 
 /// The unit of the last place of a format at `truth`: the spacing of the format's numbers in the binade
 /// [2^e, 2^(e+1)) that holds |truth|, 2^(e - digits + 1). A power of two belongs to the binade above it: just

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fit/proof/bound_width.hpp"
 #include "fit/proof/box.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/scalars/jet.hpp"
@@ -13,10 +14,6 @@
 /// The proven maximum of the magnitude of a function of the cosine, by interval branch and bound.
 namespace shadefit {
 
-/// The default relative width of bounds: far below any printed digit.
-inline constexpr double usual_width = 1e-9;
-/// The ends of an enclosure are doubles, so it cannot be narrower than a few of their steps of 2.2e-16.
-inline constexpr double least_width = 1e-15;
 /// The most boxes of a search. The catalogue's fits take 30 to 500.
 inline constexpr int most_boxes = 20000;
 

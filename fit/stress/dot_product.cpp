@@ -4,7 +4,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/full_range.hpp"
 #include "approx/lobe.hpp"
-#include "fit/stress/trial.hpp"
+#include "fit/stress/regime.hpp"
 
 namespace shadefit {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/stress/trial.hpp"
+#include "fit/stress/regime.hpp"
 
 namespace shadefit {
 namespace {

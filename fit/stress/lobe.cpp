@@ -4,7 +4,7 @@
 
 #include "approx/arithmetic.hpp"
 #include "approx/phong_blinn.hpp"
-#include "fit/stress/trial.hpp"
+#include "fit/stress/regime.hpp"
 
 namespace shadefit {
 namespace {

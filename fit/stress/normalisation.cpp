@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fit/stress/trial.hpp"
+#include "fit/stress/regime.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fit/errors/ulps.hpp"
+#include "fit/errors/binary_format.hpp"
 
 /// The inputs of a stress test, numbers of a format. Numbers of half and float are stored exactly as doubles.
 namespace shadefit {

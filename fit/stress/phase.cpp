@@ -1,7 +1,7 @@
 #include "approx/phase.hpp"
 #include "approx/full_range.hpp"
 
-#include "fit/stress/trial.hpp"
+#include "fit/stress/regime.hpp"
 
 namespace shadefit {
 namespace {

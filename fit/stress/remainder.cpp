@@ -1,6 +1,6 @@
 
 #include "approx/scalar.hpp"
-#include "fit/stress/trial.hpp"
+#include "fit/stress/regime.hpp"
 
 namespace shadefit {
 namespace {

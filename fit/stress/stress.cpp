@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "fit/stress/regime.hpp"
+
 namespace shadefit {
 
 std::vector<FormTrial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,

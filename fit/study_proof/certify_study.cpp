@@ -141,13 +141,13 @@ double usual_study_width(std::size_t variables) {
 }
 
 CertifiedStudy certify_study(const StudySubject& subject, double width, const Checkpoint& checkpoint,
-                             std::size_t box_limit, KnownIntegrals known) {
+                             std::size_t box_limit, const KnownIntegrals* known) {
   require_width(width);
   if (const std::string fault = fault_of(subject); !fault.empty()) throw UserError(fault);
   const ReadStudy study = read_formulas(subject.study);
   std::vector<Interval> parameters;
   for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
-  EnclosedError error(study, parameters, std::move(known));
+  EnclosedError error(study, parameters, known != nullptr ? *known : KnownIntegrals{});
   LargestStudyError largest(error);
   CertifiedStudy result;
   // One variable never needs more than the search of a built-in family (fit/proof/enclosure.hpp).

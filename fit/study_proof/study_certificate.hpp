@@ -8,11 +8,12 @@
 #include "fit/proof/constants.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study_proof/study_integral.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Proofs of the largest error of a user's own form.
 namespace shadefit {
+
+class KnownIntegrals;  // fit/study_proof/study_integral.hpp
 
 /// What a proof is about: all formulas, and the constants. Ranges are doubles: an end that is a formula, or a
 /// decimal that is not a double, stands for the nearest double.
@@ -54,12 +55,12 @@ inline constexpr std::size_t most_boxes_of_integrals = 4'000;
 
 /// Proves bounds of the largest error by branch and bound over boxes of the variables. Their relative width
 /// is `width`, or as near to it as `box_limit` boxes allow. The checkpoint is called for each box that is
-/// cut. `known` has the integrals of earlier proofs. Throws UserError if `fault_of` finds a fault in the
-/// subject, and for a width outside [least_width, 1); CheckFailed, with the place, if no finite bound was
-/// proven.
+/// cut. `known`, if any, has the integrals of earlier proofs, and receives those of this one. Throws
+/// UserError if `fault_of` finds a fault in the subject, and for a width outside [least_width, 1);
+/// CheckFailed, with the place, if no finite bound was proven.
 CertifiedStudy certify_study(const StudySubject& subject, double width,
                              const Checkpoint& checkpoint = keep_going,
-                             std::size_t box_limit = most_study_boxes, KnownIntegrals known = {});
+                             std::size_t box_limit = most_study_boxes, const KnownIntegrals* known = nullptr);
 
 /// Whether a formula of numbers is exactly that double, as far as 50 digits tell.
 bool is_exactly(const std::string& formula, double value);

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "fit/proof/enclosure.hpp"
+#include "fit/proof/bound_width.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/rows/fit_json.hpp"
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "approx/full_range.hpp"
+#include "fit/stress/regime.hpp"
 #include "fit/stress/starts.hpp"
-#include "fit/stress/trial.hpp"
 #include "reports/rows/stress_tables.hpp"
 
 namespace shadefit {

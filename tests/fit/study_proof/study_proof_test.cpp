@@ -11,6 +11,7 @@
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
+#include "fit/study_proof/study_integral.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -205,7 +206,7 @@ TEST(StudyProof, ProofsMayShareIntegrals) {
   for (const StudySubject& one :
        {subject("a - 0.3 x", "0.78"), subject("a - 0.3 x", "0.79"),
         subject("integral(t^2 (a - x), t, 0, 1)", "2"), subject("integral(t^2 (a - x), t, 0, 1)", "3")}) {
-    const StudyCertificate shared = certify_study(one, 1e-6, keep_going, 500, known).certificate,
+    const StudyCertificate shared = certify_study(one, 1e-6, keep_going, 500, &known).certificate,
                            alone = certify_study(one, 1e-6, keep_going, 500).certificate;
     EXPECT_EQ(shared.lower, alone.lower) << one.study.form;
     EXPECT_EQ(shared.upper, alone.upper) << one.study.form;
