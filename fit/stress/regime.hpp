@@ -48,7 +48,7 @@ struct Regime {
   std::array<std::string_view, 2> names;  ///< of the inputs; the second may be empty
   std::vector<StressedForm> forms;
   Decimal50 (*truth)(const Decimal50&, const Decimal50&);
-  /// The e-folds of the exponential in a form; null if there is none.
+  /// By how many factors of e the exponential of the forms falls or rises; null if they have none.
   double (*folds)(double, double) = nullptr;
   std::optional<double> at_most = std::nullopt;  ///< the largest value of the exact formula
   bool is_positive = true;                       ///< the exact formula is never negative
