@@ -9,8 +9,6 @@
 namespace shadefit {
 namespace {
 
-using Kind = Contender::Kind;
-
 /// The operations of a form with constants in a shader, as `shadefit emit` writes it at one exponent.
 /// Expressions of constants alone are precomputed.
 Operations executed(const FittableFamily& family, const Setting& setting, const std::vector<double>& values) {
@@ -24,7 +22,7 @@ Operations executed(const FittableFamily& family, const Setting& setting, const 
 }
 
 /// A form with constants, for the family and setting of the subject; `alternation` comes from a minimax fit.
-Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
+Contender contender(Contender::Kind kind, const FittableFamily& family, const Subject& subject,
                     const std::vector<double>& values, double width, const Checkpoint& checkpoint,
                     const std::vector<AlternationPoint>& alternation = {}) {
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
@@ -57,8 +55,8 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
       return other.family == family.info.id && other.parameters == subject.parameters;
     });
     if (is_known) continue;
-    Contender found = contender(Kind::published, family, subject, published_parameters(family, *number),
-                                options.width, checkpoint);
+    Contender found = contender(Contender::Kind::published, family, subject,
+                                published_parameters(family, *number), options.width, checkpoint);
     found.published = number->id;
     found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
     contenders.push_back(std::move(found));
@@ -78,8 +76,8 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
                                   std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
     return;
   }
-  Contender found =
-      contender(Kind::fitted, family, subject_of(fit), fit.parameters, width, checkpoint, fit.alternation);
+  Contender found = contender(Contender::Kind::fitted, family, subject_of(fit), fit.parameters, width,
+                              checkpoint, fit.alternation);
   found.origin = objective;
   comparison.contenders.push_back(std::move(found));
 }
@@ -101,7 +99,7 @@ void append_schlick(Comparison& comparison, const ComparisonOptions& options, co
   const SchlickError error =
       schlick_error(comparison.setting.surface, options.domain, options.width, checkpoint);
   const Symbolic form = comparison.family->target();
-  comparison.contenders.push_back({.kind = Kind::published,
+  comparison.contenders.push_back({.kind = Contender::Kind::published,
                                    .published = "schlick",
                                    .form = to_text(form),
                                    .origin = "Schlick 1994",
@@ -126,7 +124,7 @@ void append_target(Comparison& comparison) {
                            : surface.extinction == 0 ? "Fresnel's equations of a dielectric"
                                                      : "Fresnel's equations of a conductor";
   comparison.contenders.push_back(
-      {.kind = Kind::target,
+      {.kind = Contender::Kind::target,
        .form = text,
        .origin = "the target itself",
        .operations = count_operations(runnable_target(*comparison.family, surface)),
@@ -158,12 +156,12 @@ Comparison compare_forms(const FittableFamily& family, const Setting& setting,
     append_fits(comparison, other, options, checkpoint);
   }
   std::ranges::stable_sort(contenders, {}, [](const Contender& c) {
-    return std::pair(c.kind != Kind::published, c.max_abs_error.upper);
+    return std::pair(c.kind != Contender::Kind::published, c.max_abs_error.upper);
   });
   for (Contender& contender : contenders) {
-    if (contender.kind == Kind::target) continue;
+    if (contender.kind == Contender::Kind::target) continue;
     for (const Contender& other : contenders) {
-      if (other.kind == Kind::published && is_better(contender, other))
+      if (other.kind == Contender::Kind::published && is_better(contender, other))
         contender.beats.push_back(other.published);
     }
   }

@@ -135,7 +135,7 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
 /// Whether a contender stands before another: by its error, and of equal errors the one of fewer
 /// instructions. Two forms of the same curve have the same error but for the last digits of its search, so
 /// digits beyond the ninth do not count.
-bool comes_before(const StudyContender& a, const StudyContender& b) {
+bool ranks_before(const StudyContender& a, const StudyContender& b) {
   constexpr int bits = 30;
   const auto rounded = [](double error) {
     int exponent = 0;
@@ -160,7 +160,7 @@ const StudyContender* best_at_the_same_cost(const StudyComparison& comparison,
                               contender.max_error.magnitude < worth * published.max_error.magnitude &&
                               contender.rms_error <= most_rms * published.rms_error &&
                               lost_properties(wanted, contender.properties).empty();
-    if (is_candidate && (best == nullptr || comes_before(contender, *best))) best = &contender;
+    if (is_candidate && (best == nullptr || ranks_before(contender, *best))) best = &contender;
   }
   return best;
 }
@@ -276,7 +276,7 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
   auto& contenders = comparison.contenders;
   std::ranges::stable_sort(contenders, [](const StudyContender& a, const StudyContender& b) {
     const bool is_first = a.published != nullptr, is_other_first = b.published != nullptr;
-    return is_first != is_other_first ? is_first : comes_before(a, b);
+    return is_first != is_other_first ? is_first : ranks_before(a, b);
   });
   for (StudyContender& contender : contenders) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {

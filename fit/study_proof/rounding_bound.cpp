@@ -50,10 +50,10 @@ class RoundingOnBoxes {
   TapeProgram<Interval> scale_;
 };
 
-struct BoundedBox {
+struct RoundedBox {
   double bound;
   StudyBox box;
-  bool operator<(const BoundedBox& other) const { return bound < other.bound; }
+  bool operator<(const RoundedBox& other) const { return bound < other.bound; }
 };
 
 /// A narrow box in the middle of one. At a single place the enclosures would know the exact rounding.
@@ -69,7 +69,7 @@ StudyBox centre_of(StudyBox box) {
 /// The bound on all boxes, which are cut where it is largest.
 template <class Format>
 double bound_on_boxes(RoundingOnBoxes<Format> rounding, const Checkpoint& checkpoint, std::size_t box_limit) {
-  std::priority_queue<BoundedBox> open;
+  std::priority_queue<RoundedBox> open;
   double reached = 0;  // on narrow boxes: the bound will not fall far below
   const auto add = [&](const StudyBox& box) {
     open.push({rounding.bound_on(box), box});

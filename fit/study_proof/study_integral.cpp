@@ -16,8 +16,8 @@
 namespace shadefit {
 namespace {
 
-constexpr int order = 16;
-using Series = Taylor<order>;
+constexpr int integral_order = 16;
+using Series = Taylor<integral_order>;
 
 /// The most panels of an integral. The panel next to a root is halved about 40 times.
 constexpr std::size_t most_inner_panels = 64;
@@ -126,12 +126,13 @@ class StudyIntegral::Panels {
     const double middle = lower + (upper - lower) / 2, radius = (upper - lower) / 2;
     std::vector<Interval> rest;
     run_series(variables, Series::variable(span_of(lower, upper)));
-    for (std::size_t i = 0; i < count_; ++i) rest.push_back(moment(series_.output(i)[order], radius, order));
+    for (std::size_t i = 0; i < count_; ++i)
+      rest.push_back(moment(series_.output(i)[integral_order], radius, integral_order));
     if (!std::ranges::all_of(rest, is_bounded)) return std::nullopt;
     run_series(variables, Series::variable(Interval(middle)));
     for (std::size_t i = 0; i < count_; ++i) {
       Interval sum(0);
-      for (int j = 0; j < order; j += 2) sum = sum + moment(series_.output(i)[j], radius, j);
+      for (int j = 0; j < integral_order; j += 2) sum = sum + moment(series_.output(i)[j], radius, j);
       result.width = std::fmax(result.width, width_of(sum));
       result.excess = std::fmax(result.excess, width_of(rest[i]));
       result.values.push_back(sum + rest[i]);

@@ -24,13 +24,15 @@ double charlie_albedo(double c, double alpha) {
 
 // The lobe of sheen is a function of c^2/alpha: the strip where it is analytic is half as wide.
 constexpr std::array albedo_rules{
-    NamedRule{"ggx_albedo", [](double c, double a) { return ggx_albedo(Masking::height_correlated, c, a); }},
+    NamedRule{"ggx_albedo",
+              [](double c, double a) { return ggx_albedo(JointMasking::height_correlated, c, a); }},
     NamedRule{"ggx_albedo_separable",
-              [](double c, double a) { return ggx_albedo(Masking::separable, c, a); }},
-    NamedRule{"ggx_albedo_k", [](double c, double a) { return ggx_albedo(Masking::schlick, c, a); }},
-    NamedRule{"ggx_bias", [](double c, double a) { return ggx_bias(Masking::height_correlated, c, a); }},
-    NamedRule{"ggx_bias_separable", [](double c, double a) { return ggx_bias(Masking::separable, c, a); }},
-    NamedRule{"ggx_bias_k", [](double c, double a) { return ggx_bias(Masking::schlick, c, a); }},
+              [](double c, double a) { return ggx_albedo(JointMasking::separable, c, a); }},
+    NamedRule{"ggx_albedo_k", [](double c, double a) { return ggx_albedo(JointMasking::schlick, c, a); }},
+    NamedRule{"ggx_bias", [](double c, double a) { return ggx_bias(JointMasking::height_correlated, c, a); }},
+    NamedRule{"ggx_bias_separable",
+              [](double c, double a) { return ggx_bias(JointMasking::separable, c, a); }},
+    NamedRule{"ggx_bias_k", [](double c, double a) { return ggx_bias(JointMasking::schlick, c, a); }},
     NamedRule{"charlie_albedo", charlie_albedo, 1},
     NamedRule{"imageworks_sheen_albedo",
               [](double c, double a) { return sheen_albedo(c, a, std::numeric_limits<double>::infinity()); },

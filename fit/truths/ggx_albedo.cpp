@@ -12,13 +12,13 @@ namespace {
 constexpr double pi_of_albedo = std::numbers::pi;
 
 /// The masking of light and view, times l/(l c).
-double masking_over_c(Masking masking, double c, double l, double alpha) {
+double masking_over_c(JointMasking masking, double c, double l, double alpha) {
   const double square = alpha * alpha, k = alpha / 2;
   const auto root = [&](double x) { return std::sqrt(square + (1 - square) * x * x); };
   switch (masking) {
-    case Masking::height_correlated:
+    case JointMasking::height_correlated:
       return 2 * l / (c * root(l) + l * root(c));
-    case Masking::separable:
+    case JointMasking::separable:
       return 4 * l / ((c + root(c)) * (l + root(l)));
     default:
       return l / ((c * (1 - k) + k) * (l * (1 - k) + k));
@@ -69,7 +69,7 @@ double fresnel_ring(const LightRing& ring, double sines, double alpha) {
 /// The integral over the elevations of the light: from that of the mirrored view to the zenith and half the
 /// way down, and from the horizon up.
 template <class OfRing>
-double over_elevations(Masking masking, double c, double alpha, const OfRing& of_ring) {
+double over_elevations(JointMasking masking, double c, double alpha, const OfRing& of_ring) {
   const double sine = std::sqrt((1 - c) * (1 + c));
   const double view = std::atan2(sine, c), top = std::atan2(c, sine);
   // Of lights that are lower than 1e-11 alpha no more than that share is seen.
@@ -97,12 +97,12 @@ double over_elevations(Masking masking, double c, double alpha, const OfRing& of
 
 }  // namespace
 
-double ggx_albedo(Masking masking, double c, double alpha) {
+double ggx_albedo(JointMasking masking, double c, double alpha) {
   return over_elevations(masking, c, alpha,
                          [&](const LightRing& ring, double) { return closed_ring(ring, alpha); });
 }
 
-double ggx_bias(Masking masking, double c, double alpha) {
+double ggx_bias(JointMasking masking, double c, double alpha) {
   return over_elevations(masking, c, alpha, [&](const LightRing& ring, double sines) {
     return fresnel_ring(ring, sines, alpha);
   });

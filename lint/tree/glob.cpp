@@ -11,7 +11,7 @@
 namespace shadefit::lint {
 namespace {
 
-using Kind = GlobStep::Kind;
+using StepKind = GlobStep::Kind;
 
 constexpr std::size_t byte_index(char c) {
   return static_cast<unsigned char>(c);
@@ -97,7 +97,7 @@ std::optional<std::bitset<256>> take_set(std::string_view& text) {
 }
 
 GlobStep byte_step(char c) {
-  return {Kind::byte, std::bitset<256>().set(byte_index(c))};
+  return {StepKind::byte, std::bitset<256>().set(byte_index(c))};
 }
 
 /// Takes the stars that the rest of a pattern begins with.
@@ -108,12 +108,12 @@ void take_stars(std::string_view pattern, std::string_view& rest, std::vector<Gl
   const bool is_behind_slash = begin == 0 || pattern[begin - 1] == '/';
   const bool is_before_slash = rest.empty() || rest.starts_with('/') || rest.starts_with("\\/");
   if (count == 1 || !is_behind_slash || !is_before_slash) {
-    steps.push_back({Kind::star});
+    steps.push_back({StepKind::star});
   } else if (rest.starts_with('/')) {
-    steps.insert(steps.end(), {{Kind::optional}, {Kind::stars}, byte_step('/')});
+    steps.insert(steps.end(), {{StepKind::optional}, {StepKind::stars}, byte_step('/')});
     rest.remove_prefix(1);
   } else {
-    steps.push_back({Kind::stars});
+    steps.push_back({StepKind::stars});
   }
 }
 
@@ -130,7 +130,7 @@ std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
     if (c == '?' || c == '[') {
       auto set = c == '?' ? std::optional(~std::bitset<256>()) : take_set(rest);
       if (!set) return std::nullopt;
-      steps.push_back({Kind::byte, set->reset(byte_index('/'))});
+      steps.push_back({StepKind::byte, set->reset(byte_index('/'))});
       continue;
     }
     if (c == '\\') {
@@ -146,8 +146,8 @@ std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
 /// Moves the last single bytes from the steps to a text.
 std::string take_end(std::vector<GlobStep>& steps) {
   std::string end;
-  while (!steps.empty() && steps.back().kind == Kind::byte && steps.back().bytes.count() == 1) {
-    const bool is_optional = steps.size() >= 3 && steps[steps.size() - 3].kind == Kind::optional;
+  while (!steps.empty() && steps.back().kind == StepKind::byte && steps.back().bytes.count() == 1) {
+    const bool is_optional = steps.size() >= 3 && steps[steps.size() - 3].kind == StepKind::optional;
     if (is_optional) break;
     std::size_t byte = 0;
     while (!steps.back().bytes[byte]) ++byte;
@@ -160,9 +160,9 @@ std::string take_end(std::vector<GlobStep>& steps) {
 /// Marks also the next step if a step can match nothing.
 void leave_out(std::vector<char>& at, const std::vector<GlobStep>& steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (at[i] == 0 || steps[i].kind == Kind::byte) continue;
+    if (at[i] == 0 || steps[i].kind == StepKind::byte) continue;
     at[i + 1] = 1;
-    if (steps[i].kind == Kind::optional) at[i + 3] = 1;
+    if (steps[i].kind == StepKind::optional) at[i + 3] = 1;
   }
 }
 
@@ -182,7 +182,7 @@ bool matches(const Glob& glob, std::string_view text) {
   text = text.substr(glob.start.size(), text.size() - glob.start.size() - glob.end.size());
   const std::vector<GlobStep>& steps = glob.steps;
   if (steps.empty()) return text.empty();
-  if (steps.size() == 1 && steps[0].kind == Kind::star) return text.find('/') == std::string_view::npos;
+  if (steps.size() == 1 && steps[0].kind == StepKind::star) return text.find('/') == std::string_view::npos;
   // All ways in parallel, byte by byte, so that a hostile glob cannot make them branch.
   std::vector<char> at(steps.size() + 1), next(steps.size() + 1);
   at[0] = 1;
@@ -191,9 +191,9 @@ bool matches(const Glob& glob, std::string_view text) {
     std::ranges::fill(next, '\0');
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (at[i] == 0) continue;
-      const Kind kind = steps[i].kind;
-      if (kind == Kind::byte && steps[i].bytes[byte_index(c)]) next[i + 1] = 1;
-      if (kind == Kind::stars || (kind == Kind::star && c != '/')) next[i] = 1;
+      const StepKind kind = steps[i].kind;
+      if (kind == StepKind::byte && steps[i].bytes[byte_index(c)]) next[i + 1] = 1;
+      if (kind == StepKind::stars || (kind == StepKind::star && c != '/')) next[i] = 1;
     }
     leave_out(next, steps);
     at.swap(next);
