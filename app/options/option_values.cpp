@@ -176,8 +176,9 @@ CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool h
                 [&](const auto& choice) { return choice.second == FindingFormat::sarif && !has_places; });
   return add_choice(
       command, "--format", format, choices,
-      "the format of the output: text is for people, junit for dashboards, sarif, github and markdown for code "
-      "hosts");
+      fmt::format(
+          "the format of the output: text is for people, junit for dashboards, {} and markdown for code hosts",
+          has_places ? "sarif, github" : "github"));
 }
 
 findings::FindingReport one_check(const std::string& command, const findings::FindingRule& rule,

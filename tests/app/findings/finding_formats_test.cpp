@@ -185,6 +185,8 @@ TEST(FindingFormats, OfVerify) {
   }
   expect_refusal({"verify", "proof.json", "--format", "sarif"},
                  "--format 'sarif' is unknown: it must be one of text, json, junit, github, markdown");
+  EXPECT_EQ(run_command_line({"verify", "--help"}).out.find("sarif"), std::string::npos);
+  EXPECT_NE(run_command_line({"check", "--help"}).out.find("sarif"), std::string::npos);
 }
 
 // What is no finding but a wrong call is one line on standard error in each format.
