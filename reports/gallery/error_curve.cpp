@@ -18,23 +18,33 @@ constexpr double svg_width = 720, svg_height = 240, svg_left = 112, svg_right = 
 constexpr int steps = 240;
 constexpr double svg_room = 1.05;  // above the largest error
 
-/// The error at `steps` + 1 evenly spaced places. It is not finite if the form or the target has no value.
-using ErrorValues = std::vector<double>;
+/// A place along the picture, from 0 to 1, and the error there. It is not finite if the form or the target
+/// has no value.
+struct ErrorPoint {
+  double share, error;
+};
 
-ErrorValues values_along(const ReadStudy& study, const std::vector<double>& parameters) {
+/// The error at `steps` + 1 evenly spaced places, and at `worst`, which may lie in a peak between two of
+/// them.
+std::vector<ErrorPoint> errors_along(const ReadStudy& study, const std::vector<double>& parameters,
+                                     double worst) {
   const StudyAxis& axis = study.axes.front();
+  const double width = axis.upper - axis.lower;
+  std::vector<double> shares{(worst - axis.lower) / width};
+  for (int i = 0; i <= steps; ++i) shares.push_back(static_cast<double>(i) / steps);
+  std::ranges::sort(shares);
   TapeProgram<double> error(tape_of(weighted_error_of(study).form, formula_inputs(study)), parameters);
-  ErrorValues values;
-  for (int i = 0; i <= steps; ++i) {
-    const double x = axis.lower + (axis.upper - axis.lower) * i / steps;
+  std::vector<ErrorPoint> points;
+  for (const double share : shares) {
+    const double x = axis.lower + width * share;
     error.run(std::span(&x, 1));
-    values.push_back(error.output(0));
+    points.push_back({share, error.output(0)});
   }
-  return values;
+  return points;
 }
 
-double x_of(int step) {
-  return svg_left + (svg_width - svg_left - svg_right) * step / steps;
+double x_of(double share) {
+  return svg_left + (svg_width - svg_left - svg_right) * share;
 }
 
 /// Error 0 is in the middle, +-`limit` at the edges.
@@ -43,18 +53,22 @@ double y_of(double value, double limit) {
 }
 
 /// A line for each part without a gap.
-std::string polylines(const ErrorValues& values, double limit, std::size_t number) {
+std::string polylines(const std::vector<ErrorPoint>& curve, double limit, std::size_t number) {
   std::string lines, points;
-  for (int i = 0; i <= steps + 1; ++i) {
-    const double value = i <= steps ? values[static_cast<std::size_t>(i)] : HUGE_VAL;
-    if (std::isfinite(value)) {
-      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", x_of(i),
-                            y_of(std::clamp(value, -limit, limit), limit));
-    } else if (!points.empty()) {
+  const auto end_line = [&] {
+    if (!points.empty())
       lines += fmt::format("<polyline class=\"curve-{}\" points=\"{}\"/>\n", number, points);
-      points.clear();
+    points.clear();
+  };
+  for (const auto& [share, error] : curve) {
+    if (std::isfinite(error)) {
+      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", x_of(share),
+                            y_of(std::clamp(error, -limit, limit), limit));
+    } else {
+      end_line();
     }
   }
+  end_line();
   return lines;
 }
 
@@ -68,10 +82,11 @@ std::string error_curve_svg(const StudyComparison& comparison,
                             const std::vector<const StudyContender*>& contenders) {
   if (comparison.study.rows || comparison.study.over.size() != 1 || contenders.empty()) return "";
   const StudyAxis axis = formulas_of(comparison, *contenders.front()).axes.front();
-  std::vector<ErrorValues> curves;
+  std::vector<std::vector<ErrorPoint>> curves;
   double limit = 0;
   for (const StudyContender* contender : contenders) {
-    curves.push_back(values_along(formulas_of(comparison, *contender), contender->values));
+    curves.push_back(errors_along(formulas_of(comparison, *contender), contender->values,
+                                  contender->max_error.at.front()));
     limit = std::max(limit, contender->max_error.magnitude);
   }
   if (!(limit > 0) || !std::isfinite(limit)) return "";

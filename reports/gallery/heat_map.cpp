@@ -91,11 +91,11 @@ std::string heat_map_svg(const StudyComparison& comparison,
     limit = std::max(limit, largest_error_in(maps.back()));
   }
   if (!(limit > 0)) return "";
-  const auto count = static_cast<double>(maps.size());
+  // Room for two maps, so that one alone is not larger.
   std::string svg = fmt::format(
       "<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" shape-rendering=\"crispEdges\" aria-label=\"the error over {} and {}\">\n",
-      map_left + count * (map_size + map_gap) - map_gap + 10, map_top + map_size + map_bottom,
-      comparison.variables[0], comparison.variables[1]);
+      map_left + 2 * map_size + map_gap + 10, map_top + map_size + map_bottom, comparison.variables[0],
+      comparison.variables[1]);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const double left = map_left + static_cast<double>(i) * (map_size + map_gap);
     const std::string largest = text(Number{largest_error_in(maps[i]), 3}, Precision::report);

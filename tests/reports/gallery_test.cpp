@@ -215,6 +215,21 @@ TEST(Gallery, ShowsGreysWhereTheyAreSeen) {
   EXPECT_EQ(judged_study(entry).page.find("As greys"), std::string::npos);
 }
 
+/// The target peaks at x = 1/1000, between the first two places of the picture, which are 1/240 apart.
+TEST(Gallery, ACurveGoesThroughAPeakBetweenItsPlaces) {
+  GalleryEntry entry = parabola();
+  entry.file.study.target = "1/(1 + 1000000 (x - 1/1000)^2)";
+  entry.file.forms = {{"constant", "a"}};
+  entry.file.published = {{.form = "constant", .values = {{"a", "0"}}, .source = "Doe 2020"}};
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  const StudyComparison& comparison = entry.comparisons.front();
+  const StudyContender* published = first_published(comparison);
+  ASSERT_NEAR(published->max_error.magnitude, 1, 1e-6);
+  const std::string svg = error_curve_svg(comparison, {published});
+  // -1 of +-1.05 in the 200 units below 10; 0.001 of 596 units right of 112
+  EXPECT_NE(svg.find(" 112.6,205.2 "), std::string::npos) << svg.substr(0, 800);
+}
+
 /// x y by a constant 1/4 on the unit square: too large at the origin, too small at (1, 1), where the error is
 /// largest.
 TEST(Gallery, HasAMapOfTwoVariables) {
