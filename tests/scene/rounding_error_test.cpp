@@ -65,7 +65,8 @@ TEST(RoundingError, IsNotExceeded) {
         EXPECT_LE(in_float, bound(PixelPrecision::float32)) << where;
         EXPECT_LE(measured_rounding<Eigen::half>(form, power, reflectance), bound(PixelPrecision::float16))
             << where;
-        EXPECT_GE(in_float, 0.04 * bound(PixelPrecision::float32)) << where << ": and is no idle bound";
+        EXPECT_GE(in_float, 0.04 * bound(PixelPrecision::float32))
+            << where << ": the bound is at most 25 times too large";
       }
     }
   }
@@ -136,7 +137,7 @@ TEST(DotProductError, IsNotExceeded) {
         *most = std::max(*most, std::abs(shown(scale, rounded) - shown(scale, exact)));
     }
     EXPECT_LE(largest, bound) << power;
-    EXPECT_GE(largest, 0.05 * bound) << power << ": and it is no idle bound";
+    EXPECT_GE(largest, 0.05 * bound) << power << ": the bound is at most 20 times too large";
     EXPECT_LE(largest_code, bound_of_codes) << power;
   }
   // of the roughness at which three.js stops
