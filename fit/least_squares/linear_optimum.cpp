@@ -32,4 +32,8 @@ std::optional<LinearOptimum> linear_optimum(std::size_t parameter_count, const L
   return found;
 }
 
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target) {
+  return columns.colPivHouseholderQr().solve(target);
+}
+
 }  // namespace shadefit

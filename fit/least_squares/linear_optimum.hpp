@@ -27,4 +27,7 @@ using LinearErrors =
 /// dependent up to the rounding of long double.
 std::optional<LinearOptimum> linear_optimum(std::size_t parameter_count, const LinearErrors& errors);
 
+/// The x for which `columns` x - `target` has the least square, in double, by orthogonal columns.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target);
+
 }  // namespace shadefit

@@ -1,10 +1,11 @@
 #include "scene/plan/lobe_fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <numbers>
 
 #include "approx/shading.hpp"
+#include "fit/least_squares/linear_optimum.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -81,7 +82,7 @@ struct SlopeRows {
 
   /// Least squares with each row times its `root`.
   Eigen::VectorXd solve(const Eigen::VectorXd& root) const {
-    return (root.asDiagonal() * powers).colPivHouseholderQr().solve(root.cwiseProduct(target));
+    return least_squares(root.asDiagonal() * powers, root.cwiseProduct(target));
   }
 };
 
