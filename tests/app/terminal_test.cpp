@@ -293,13 +293,13 @@ TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
 }
 
 TEST(Completion, ZshReadsIt) {
-  if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
+  if (!is_installed("zsh")) GTEST_SKIP() << "without zsh: package zsh";
   const TemporaryDirectory directory;
   EXPECT_EQ(shell_output("zsh -n '" + completion_file(directory, "zsh") + "'"), "");
 }
 
 TEST(Completion, FishCompletes) {
-  if (!is_installed("fish")) GTEST_SKIP() << "fish is not installed";
+  if (!is_installed("fish")) GTEST_SKIP() << "without fish: package fish";
   const TemporaryDirectory directory;
   const std::string script =
       "source " + completion_file(directory, "fish") + "; complete -C 'shadefit fit fresnel-quadratic-'";
@@ -321,7 +321,7 @@ TEST(Completion, TheManualPageHasEveryOption) {
 }
 
 TEST(Completion, GroffTakesTheManualPageWithoutAWarning) {
-  if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
+  if (!is_installed("groff")) GTEST_SKIP() << "without groff: package groff-base";
   const TemporaryDirectory directory;
   EXPECT_EQ(shell_output("groff -man -Tutf8 -ww -z '" + completion_file(directory, "man") + "'"), "");
 }

@@ -27,7 +27,7 @@ bench::FloatErrors found_in(const std::filesystem::path& directory) {
 // A form without a function of the device needs no measurement of it, so that alone it takes no time.
 TEST(AllDevices, HaveTheErrorsOfEachAlone) {
   for (const Driver& driver : drivers)
-    if (!std::filesystem::exists(driver.file)) GTEST_SKIP() << driver.file << " is missing";
+    if (!std::filesystem::exists(driver.file)) GTEST_SKIP() << "without " << driver.file << ": package " << driver.package;
   const EnvironmentVariable both{"VK_ICD_FILENAMES", std::string(drivers[0].file) + ":" + drivers[1].file};
   const TemporaryDirectory directory;
   const Outcome all = run_command_line(

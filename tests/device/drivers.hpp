@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <ostream>
+#include <utility>
 
 #include "tests/fake_gnuplot.hpp"
 
@@ -13,7 +14,8 @@ namespace shadefit::testing {
 
 struct Driver {
   const char* name;
-  const char* file;  ///< by which the Vulkan loader finds it
+  const char* file;     ///< by which the Vulkan loader finds it
+  const char* package;
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Driver& driver) {
@@ -21,8 +23,8 @@ inline std::ostream& operator<<(std::ostream& out, const Driver& driver) {
 }
 
 inline constexpr std::array drivers{
-    Driver{"lavapipe", "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"},
-    Driver{"SwiftShader", "/usr/lib/chromium/vk_swiftshader_icd.json"},
+    Driver{"lavapipe", "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json", "mesa-vulkan-drivers"},
+    Driver{"SwiftShader", "/usr/lib/chromium/vk_swiftshader_icd.json", "chromium"},
 };
 
 /// A test on one of them, with the validation layer; skipped where one of both is missing.
@@ -30,8 +32,9 @@ class OnDriver : public ::testing::TestWithParam<Driver> {
  protected:
   void SetUp() override {
     constexpr const char* layer = "/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json";
-    for (const char* file : {GetParam().file, layer})
-      if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is missing";
+    for (const auto& [file, package] :
+         {std::pair{GetParam().file, GetParam().package}, {layer, "vulkan-validationlayers"}})
+      if (!std::filesystem::exists(file)) GTEST_SKIP() << "without " << file << ": package " << package;
   }
 
  private:

@@ -43,7 +43,7 @@ class Device : public ::testing::Test {
  protected:
   void SetUp() override {
     try {
-      if (vulkan_devices().empty()) GTEST_SKIP() << "no device of this driver can compute";
+      if (vulkan_devices().empty()) GTEST_SKIP() << "no device can compute: packages mesa-vulkan-drivers, chromium";
       vulkan_.emplace(watched);
     } catch (const UserError& error) {
       GTEST_SKIP() << error.what();

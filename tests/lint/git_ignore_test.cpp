@@ -134,7 +134,7 @@ std::set<std::string> names_between_zeros(const fs::path& file) {
 }
 
 TEST(GitIgnore, EveryRuleMeansWhatGitMakesOfIt) {
-  if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no git to compare with";
+  if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "without git: package git";
   const TemporaryDirectory directory;
   const TemporaryDirectory* const tree = &directory;
   const fs::path root = fs::path(*tree / "tree");

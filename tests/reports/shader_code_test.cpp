@@ -272,7 +272,7 @@ TEST(GeneratedShader, OfEveryStudyCompiles) {
 // With what these two have of C's library, and OpenCL with sign. A function of the host is not for the
 // device, and min of a float and a double is ambiguous in OpenCL.
 TEST(GeneratedShader, CompilesAsCudaAndOpenCl) {
-  if (testing::compilers_of("c").size() < 2) GTEST_SKIP() << "clang is not installed";
+  if (testing::compilers_of("c").size() < 2) GTEST_SKIP() << "without a second compiler: package clang";
   const TemporaryDirectory directory;
   const Symbolic c = variable("c");
   const ShaderFunction like_c{"f", {"c"}, expm1(c) + log1p(c) + erf(c) * erfc(c)};
