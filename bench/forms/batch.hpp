@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <xsimd/xsimd.hpp>
 
 #include <string_view>
@@ -52,8 +53,8 @@ struct ExponentBits<xsimd::batch<R, A>> {
     return {within - (shifted - rounder), shifted};
   }
   static T times_exp2(const T& p, const T& shifted) {
-    const Bits exponent = xsimd::bitwise_cast<Bits>(shifted) << Range::mantissa_bits;
-    return xsimd::bitwise_cast<T>(xsimd::bitwise_cast<Bits>(p) + exponent);
+    const Bits exponent = std::bit_cast<Bits>(shifted) << Range::mantissa_bits;
+    return std::bit_cast<T>(std::bit_cast<Bits>(p) + exponent);
   }
 };
 
