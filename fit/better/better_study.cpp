@@ -115,8 +115,9 @@ void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyF
   if (asked.starts.empty()) objective.study.starts = published_starts(file, form.id, asked);
   const StudyFit fit = fit_study(objective, checkpoint);
   if (fit.status == Status::converged) {
-    comparison.contenders.push_back(
-        contender_of(form, asked, objective.words, fit.parameters, {}, checkpoint));
+    StudyContender contender = contender_of(form, asked, objective.words, fit.parameters, {}, checkpoint);
+    contender.digits = fit.digits;
+    comparison.contenders.push_back(std::move(contender));
   } else {
     comparison.left_out.push_back(form.id + ", " + objective.words + ": " + std::string(name(fit.status)) +
                                   ", " + fit.why);

@@ -44,6 +44,7 @@ struct StudyContender {
   std::vector<std::string> names;
   std::vector<std::string> printed = {};  ///< of a published set
   std::vector<double> values;
+  int digits = 0;                                ///< of a fit: how many its constants have
   Symbolic code;                                 ///< the form with these constants, as `emit` writes it
   Operations operations;                         ///< of that
   StudyExtremum max_error;                       ///< in the error of the study; sampled and refined

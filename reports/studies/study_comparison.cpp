@@ -14,11 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "a = 1.5707963, b = -0.156583": as printed, or to ten digits.
+/// "a = 1.5707963, b = -0.156583": as printed, or to ten digits, or to those that the fit has.
 std::string constants_text(const StudyContender& contender) {
   if (!contender.printed.empty()) return equations(contender.names, contender.printed);
-  return equations(contender.names, contender.values,
-                   [](double value) { return text(converged(value), Precision::report); });
+  return equations(contender.names, contender.values, [&](double value) {
+    const Number number = converged(value);
+    return text(Number{number.value, std::min(number.digits, contender.digits)}, Precision::report);
+  });
 }
 
 std::string origin_of(const StudyContender& contender) {

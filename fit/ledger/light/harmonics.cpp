@@ -89,7 +89,10 @@ Finding evaluate_basis(const Claim& claim) {
   const std::array closed_forms{harmonic_of_band_zero<double>(), harmonic_of_band_one<double>()};
   std::vector<std::optional<Verdict>> verdicts;
   std::vector<std::string> computed, norms, effects;
-  double gap = products.coupling;
+  // The integrals are of functions without their factors, and at most 4 pi. Orthonormal are those with them.
+  const double squared_factor = closed_forms[1] * closed_forms[1];
+  const double uncertainty = products.error * squared_factor;
+  double gap = products.coupling * squared_factor;
   for (std::size_t band = 0; band < 2; ++band) {
     const Quantity& printed = claim.printed[band];
     const double exact = closed_forms[band], stated = number_of(printed.value);
@@ -102,15 +105,15 @@ Finding evaluate_basis(const Claim& claim) {
                                 std::abs(stated * stated / (exact * exact) - 1)));
     effects.push_back(effect_of_factor(stated, exact, printed.name));
   }
-  if (products.error > number_of(tolerance)) verdicts.push_back(std::nullopt);
-  verdicts.push_back(verdict_of(gap <= number_of(tolerance) || products.error > number_of(tolerance)));
-  return {worst(verdicts), enumerated(computed),
-          fmt::format(
-              "sqrt(1/(4 pi)) = {:.10g} and sqrt(3/(4 pi)) = {:.10g} make the four functions orthonormal {}, "
-              "by two rules. With the printed factors the squared norms are {}",
-              closed_forms[0], closed_forms[1], within(std::max(gap, products.error), tolerance),
-              enumerated(norms)),
-          sentences(effects)};
+  if (uncertainty > number_of(tolerance)) verdicts.push_back(std::nullopt);
+  verdicts.push_back(verdict_of(gap <= number_of(tolerance) || uncertainty > number_of(tolerance)));
+  return {
+      worst(verdicts), enumerated(computed),
+      fmt::format(
+          "sqrt(1/(4 pi)) = {:.10g} and sqrt(3/(4 pi)) = {:.10g} make the four functions orthonormal {}, "
+          "by two rules. With the printed factors the squared norms are {}",
+          closed_forms[0], closed_forms[1], within(std::max(gap, uncertainty), tolerance), enumerated(norms)),
+      sentences(effects)};
 }
 
 Finding evaluate_memory(const Claim& claim) {
