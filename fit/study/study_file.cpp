@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fit/support/format.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -39,6 +40,11 @@ std::string given_text(const Study& study) {
 
 std::vector<Study> combinations(const Study& study,
                                 const std::vector<std::pair<std::string, std::vector<std::string>>>& given) {
+  double count = 1;
+  for (const auto& [name, values] : given) count *= static_cast<double>(values.size());
+  if (count > static_cast<double>(most_combinations))
+    throw UserError(fmt::format("the given constants have {:g} combinations of values: at most {}", count,
+                                most_combinations));
   std::vector<Study> studies{study};
   for (const auto& [name, values] : given) {
     std::vector<Study> longer;
