@@ -11,6 +11,7 @@
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/gnuplot.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/gnuplot_text.hpp"
 #include "reports/sections/report.hpp"
 #include "tests/accuracy.hpp"
