@@ -92,7 +92,8 @@ std::string given_text(const Study& study);
 inline constexpr std::size_t most_combinations = 10000;
 
 /// Every combination of given constants: the values of the last change fastest. Throws UserError for a
-/// constant that is given twice, and for more than `most_combinations`.
+/// constant that is given twice, and for more than `most_combinations`, or fewer of a study of many
+/// definitions.
 std::vector<Study> combinations(const Study& study,
                                 const std::vector<std::pair<std::string, std::vector<std::string>>>& given);
 
