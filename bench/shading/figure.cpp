@@ -139,16 +139,15 @@ Figure shade_figure(const Measurement& m) {
                                 .look = Look::second,
                                 .has_points = true,
                                 .is_joined = false}}};
-  return {
-      .name = "shade",
-      .family = "",
-      .caption = std::string("Error against time of the plans for a scene and of the published constants."),
-      .data = data_of_points(points, m),
-      .script = write_script({.name = "shade",
-                              .about = std::string("Run time against error of a scene's plans"),
-                              .columns = 1,
-                              .panel_height = static_cast<int>(drawn_area.y),
-                              .panels = {panel}})};
+  return {.name = "shade",
+          .family = "",
+          .caption = "Error against time of the plans for a scene and of the published constants.",
+          .data = data_of_points(points, m),
+          .script = write_script({.name = "shade",
+                                  .about = "Run time against error of a scene's plans",
+                                  .columns = 1,
+                                  .panel_height = static_cast<int>(drawn_area.y),
+                                  .panels = {panel}})};
 }
 
 }  // namespace shadefit::shade

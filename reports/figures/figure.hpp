@@ -12,7 +12,7 @@ namespace shadefit {
 struct Figure {
   std::string name;         ///< "lobe": lobe.csv, lobe.gnuplot, lobe.svg
   std::string_view family;  ///< the family in whose section the report shows it
-  OthersText caption;       ///< one sentence
+  std::string caption;      ///< one sentence
   Table data;
   std::string script;  ///< of gnuplot; reads NAME.csv beside it
 };

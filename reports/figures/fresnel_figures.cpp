@@ -89,12 +89,11 @@ Figure weights(std::string_view family) {
   Panel logarithmic =
       panel_over_cosine(curves, "set logscale y\nset yrange [1e-5:1]\nset format y '10^{%T}'\n");
   logarithmic.title = "logarithmic scale";
-  const Plot plot{
-      .name = "fresnel",
-      .about = std::string("Schlick's Fresnel weight f, its approximations and the exact dielectric."),
-      .columns = 2,
-      .panel_height = 330,
-      .panels = {linear, logarithmic}};
+  const Plot plot{.name = "fresnel",
+                  .about = "Schlick's Fresnel weight f, its approximations and the exact dielectric.",
+                  .columns = 2,
+                  .panel_height = 330,
+                  .panels = {linear, logarithmic}};
   return {plot.name, family,
           fmt::format("Schlick's weight, its approximations by one exp2, and the weight that the exact "
                       "dielectric of index {} has in its place; on the logarithmic scale it shows what each "

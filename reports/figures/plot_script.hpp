@@ -51,10 +51,10 @@ struct Panel {
 };
 
 struct Plot {
-  std::string name;  ///< NAME.csv is read, NAME.svg written
-  OthersText about;  ///< one line on top of the script
-  int columns;       ///< panels stand row by row
-  int panel_height;  ///< in pixels; the width of the whole is always the same
+  std::string name;   ///< NAME.csv is read, NAME.svg written
+  std::string about;  ///< one line on top of the script
+  int columns;        ///< panels stand row by row
+  int panel_height;   ///< in pixels; the width of the whole is always the same
   std::vector<Panel> panels;
 };
 

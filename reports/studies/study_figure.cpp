@@ -166,7 +166,7 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   }
   errors.settings += "set yrange " + range_around(table, errors.curves) + "\n";
   const Plot plot{.name = "fit",
-                  .about = std::string("A fit, and its error."),
+                  .about = "A fit, and its error.",
                   .columns = 1,
                   .panel_height = slices_height,
                   .panels = {curves, errors}};
