@@ -20,6 +20,7 @@
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/writers.hpp"
 
@@ -80,7 +81,7 @@ BenchTexts texts_of(const bench::Trade& trade, Table (*table_of)(const bench::Tr
   for (const bench::TimedTarget& target : trade.targets) {
     const Table table = table_of(trade, target.id);
     texts.console += fmt::format("{}\n{}\n", target.title, write_console(table, Precision::report, terminal));
-    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(table));
+    texts.markdown += fmt::format("### {}\n\n{}", for_markdown(target.title), markdown_block(table));
   }
   return texts;
 }

@@ -9,8 +9,8 @@ namespace shadefit {
 namespace {
 
 /// The sources of the published sets, each once.
-std::vector<std::string> sources_in(const StudyFile& study) {
-  std::vector<std::string> sources;
+std::vector<OthersText> sources_in(const StudyFile& study) {
+  std::vector<OthersText> sources;
   for (const PublishedSet& set : study.published) {
     if (std::ranges::find(sources, set.source) == sources.end()) sources.push_back(set.source);
   }

@@ -19,6 +19,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/figures/figures.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/comparisons.hpp"
@@ -155,18 +156,21 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
                            : options.latex ? Statements::marked
                                            : Statements::plain);
   const bool is_file = options.id && options.id->ends_with(".toml");
+  std::string err;
   if (is_file) {
     list.rows.clear();
     add_study(list, load_study(*options.id));
   } else if (!with_verdicts && !options.topic && !options.family) {
     add_forms_of_comparison(list);
-    for (const auto& path : study_files(study_folders(options.studies))) add_study(list, load_study(path));
+    const LoadedStudies studies = load_studies(study_files(study_folders(options.studies)));
+    for (const StudyFile& study : studies.files) add_study(list, study);
+    for (const std::string& line : studies.refused) err += fmt::format("shadefit: {}\n", line);
   }
   if (options.id && !is_file) keep_only(list, *options.id);
-  if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
-  if (options.csv) return {0, write_csv(list, Precision::full), ""};
-  if (options.latex) return {0, write_latex(list, Precision::report), ""};
-  return {0, write_console(list, Precision::report, options.terminal), ""};
+  if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), err};
+  if (options.csv) return {0, write_csv(list, Precision::full), err};
+  if (options.latex) return {0, write_latex(list, Precision::report), err};
+  return {0, write_console(list, Precision::report, options.terminal), err};
 }
 
 Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,

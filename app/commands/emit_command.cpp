@@ -119,9 +119,9 @@ std::string exponents_text(const std::vector<Setting>& settings) {
 }
 
 /// A function below a comment with the command and these facts, which are about numbers that are not rounded.
-std::string code_with(const std::vector<std::string>& facts, const ShaderFunction& function,
+std::string code_with(const std::vector<OthersText>& facts, const ShaderFunction& function,
                       const EmitOptions& options) {
-  std::vector<std::string> comment{std::string(generated_line), command_of(options), ""};
+  std::vector<OthersText> comment{std::string(generated_line), command_of(options), OthersText()};
   comment.insert(comment.end(), facts.begin(), facts.end());
   if (options.precision == ShaderPrecision::float16)
     comment.emplace_back("The rounding of constants and operations to half comes on top.");
@@ -140,7 +140,7 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
   const Subject& subject = proven.chosen.subject;
 
-  const std::vector<std::string> facts{
+  const std::vector<OthersText> facts{
       fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
       fmt::format("{} ({})", constants_text(subject.parameters), origin_of(named, proven.chosen, metric)),
       fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
@@ -190,9 +190,9 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
     throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
   ShaderFunction function{name, {}, with_constants(read.form, subject.parameters)};
   for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
-  const std::vector<std::string> facts{
-      fmt::format("{} for {}", study.form, study.rows ? "the rows of " + study.rows->file : study.target),
-      fmt::format("{} ({})", constants_text(subject.parameters), origin),
+  const std::vector<OthersText> facts{
+      study.form + " for " + OthersText(study.rows ? "the rows of " + study.rows->file : study.target),
+      constants_text(subject.parameters) + " (" + origin + ")",
       error_line(subject, checkpoint),
   };
   return code_with(facts, function, options);

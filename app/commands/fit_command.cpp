@@ -12,6 +12,7 @@
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/rows/alternation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/proofs.hpp"

@@ -6,6 +6,7 @@
 #include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_extras.hpp"
 #include "reports/studies/study_figure.hpp"
@@ -80,7 +81,7 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
                          const Terminal& terminal) {
   const StudyFit& first = studies.front().fit;
   std::string text = file.id.empty() ? "" : file.id + ": ";
-  text += study_headline(studies.front()) + "\n" +
+  text += for_terminal(study_headline(studies.front())) + "\n" +
           write_console(table_for(studies, terminal), Precision::report, terminal);
   for (const FittedStudy& study : studies) text += level_text(study);
   text += uncertainty_block(studies, terminal);

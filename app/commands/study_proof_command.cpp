@@ -4,6 +4,7 @@
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_certificate_json.hpp"
@@ -17,7 +18,7 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
   if (file.study.rows != nullptr)
     throw UserError(
         fmt::format("certify proves the error over a range: '{}' has rows of measured values alone",
-                    file.study.rows->file));
+                    file.study.rows->file.unescaped()));
   const std::vector<Study> studies = combinations(file.study, file.given);
   if (options.out && studies.size() != 1)
     throw UserError(fmt::format("--out '{}' takes one certificate, not {}: give one value of each --given",
@@ -46,7 +47,7 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
   if (options.fit.json) {
     out = json_text_of_each(json_array(proofs, study_proof_json));
   } else {
-    out = (file.id.empty() ? "" : file.id + ": ") + proof_headline(first) + "\n" +
+    out = (file.id.empty() ? "" : file.id + ": ") + for_terminal(proof_headline(first)) + "\n" +
           write_console(study_proofs_table(proofs), Precision::full, options.fit.terminal) + ends_text(first);
     if (options.out) out += fmt::format("\nCertificate: {}\n", printable(*options.out));
   }

@@ -13,6 +13,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/gallery/gallery_shard.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/comparisons.hpp"
@@ -27,7 +28,7 @@ namespace shadefit {
 namespace {
 
 std::string console_text(const StudyComparison& comparison, const Terminal& terminal) {
-  return target_of(comparison) + "\n" +
+  return for_terminal(target_of(comparison)) + "\n" +
          write_console(study_comparison_table(comparison), Precision::report, terminal) +
          left_out_lines(comparison.left_out);
 }
@@ -47,7 +48,7 @@ std::string failed_lines(const std::vector<StudyComparison>& comparisons) {
   std::string lines;
   for (const StudyComparison& comparison : comparisons) {
     for (const std::string& line : comparison.left_out)
-      lines += fmt::format("shadefit: {}: {}\n", target_of(comparison), line);
+      lines += fmt::format("shadefit: {}: {}\n", for_terminal(target_of(comparison)), for_terminal(line));
   }
   return lines;
 }
@@ -60,12 +61,12 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
   const RecomputedRows result =
       recompute_rows(combinations(file.study, file.given).front(), *file.recompute, checkpoint);
   if (result.wrong.empty())
-    return fmt::format("{} of {} rows of {} recomputed: {}\n", result.drawn, rows.value.size(), rows.file,
-                       *file.recompute);
+    return fmt::format("{} of {} rows of {} recomputed: {}\n", result.drawn, rows.value.size(),
+                       for_terminal(rows.file), *file.recompute);
   const WrongRow& first = result.wrong.front();
   throw CheckFailed(fmt::format("line {} of '{}' has {}, where {} is {}: {} of {} recomputed rows {}",
-                                line_of_row(first.row), rows.file, to_text(first.value), *file.recompute,
-                                to_text(first.recomputed), result.wrong.size(), result.drawn,
+                                line_of_row(first.row), rows.file.unescaped(), to_text(first.value),
+                                *file.recompute, to_text(first.recomputed), result.wrong.size(), result.drawn,
                                 result.wrong.size() == 1 ? "differs" : "differ"));
 }
 

@@ -21,6 +21,7 @@
 #include "lint/lint_tree.hpp"
 #include "lint/tree/lint_config.hpp"
 #include "reports/io/output.hpp"
+#include "reports/io/utf8.hpp"
 #include "reports/lint/lint_findings.hpp"
 #include "reports/lint/unified_diff.hpp"
 
@@ -57,14 +58,14 @@ LintOptions with_config(LintOptions options, lint::TreeOptions& tree) {
 }
 
 /// All published sets: those of the studies, and exact constants, which stand in the folder `exact` beside
-/// them.
-lint::KnownConstants known_constants(const StudyFolders& given) {
+/// them. `refused` gets a line for each study that could not be read.
+lint::KnownConstants known_constants(const StudyFolders& given, std::vector<std::string>& refused) {
   std::vector<fs::path> folders = study_folders(given);
   const std::size_t count = folders.size();
   for (std::size_t i = 0; i < count; ++i) folders.push_back(folders[i] / "exact");
-  std::vector<StudyFile> studies;
-  for (const auto& path : study_files(folders)) studies.push_back(load_study(path));
-  return lint::KnownConstants(lint::known_sets(studies));
+  LoadedStudies studies = load_studies(study_files(folders));
+  refused = std::move(studies.refused);
+  return lint::KnownConstants(lint::known_sets(studies.files));
 }
 
 /// The fingerprints of an earlier report in JSON.
@@ -85,7 +86,7 @@ std::set<std::string> known_fingerprints(const std::string& file) {
 
 std::string warnings_of(const lint::SkippedFiles& skipped) {
   std::string lines;
-  for (const std::string& message : skipped.messages) lines += fmt::format("shadefit: {}\n", message);
+  for (const std::string& message : skipped.messages) lines += fmt::format("shadefit: {}\n", one_line(message));
   return lines;
 }
 
@@ -244,13 +245,15 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     shown.project = fs::absolute(folder).lexically_normal();
   lint::EffectLimits limits;
   limits.of_all = options.max_effect;
-  const lint::KnownConstants known = known_constants(options.studies);
+  std::vector<std::string> refused;
+  const lint::KnownConstants known = known_constants(options.studies, refused);
   progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
   const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
   lint::LintedTree linted =
       lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
   progress("");
+  linted.skipped.messages.insert(linted.skipped.messages.begin(), refused.begin(), refused.end());
   if (!options.fix && !options.diff) return report_of(linted, shown, options.format);
   const std::vector<FixedFile> files = fixed_files(linted, options.fix.value_or(lint::FixScope::pins));
   if (options.diff) {

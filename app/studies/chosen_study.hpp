@@ -21,7 +21,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options);
 struct ChosenStudySubject {
   StudySubject subject;   ///< of the first form
   std::string_view from;  ///< the origin of its values: given, published or fitted
-  std::string origin;     ///< in more words: the source, or how they were fitted
+  OthersText origin;      ///< in more words: the source, or how they were fitted
 };
 
 /// The given `parameters`; without them the first set that was published for the form, unless an option of a

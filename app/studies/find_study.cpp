@@ -56,6 +56,20 @@ void require_formulas(const StudyFile& file, const fs::path& path) {
   }
 }
 
+/// The table of a study. It lies in the folder of the study, links resolved: else the study of another could
+/// name any file.
+fs::path table_of(const fs::path& study, const StudyFile& file) {
+  std::error_code none;
+  const fs::path folder = fs::canonical(fs::absolute(study).parent_path(), none);
+  const fs::path table = fs::weakly_canonical(folder / file.table.unescaped(), none);
+  if (std::mismatch(folder.begin(), folder.end(), table.begin(), table.end()).first == folder.end())
+    return table;
+  const StudyFault fault(
+      {"table"},
+      fmt::format(" '{}' leads out of the folder of the study: a table lies in it", file.table.unescaped()));
+  throw UserError("study '" + study.string() + "'" + fault_in(file, fault, ""));
+}
+
 bool before(const fs::path& a, const fs::path& b) {
   return a.stem() < b.stem();
 }
@@ -128,7 +142,7 @@ void load_rows(StudyFile& file, const fs::path& table) {
 StudyFile load_study(const fs::path& path) {
   StudyFile file = read_study_file(read_bounded(path, most_study_bytes), path.string());
   if (!file.table.empty()) {
-    load_rows(file, path.parent_path() / file.table);
+    load_rows(file, table_of(path, file));
     // What is printed names the file as the study does, wherever the study lies.
     MeasuredRows rows = *file.study.rows;
     rows.file = file.table;
@@ -136,6 +150,18 @@ StudyFile load_study(const fs::path& path) {
   }
   require_formulas(file, path);
   return file;
+}
+
+LoadedStudies load_studies(const std::vector<fs::path>& paths) {
+  LoadedStudies loaded;
+  for (const fs::path& path : paths) {
+    try {
+      loaded.files.push_back(load_study(path));
+    } catch (const UserError& error) {
+      loaded.refused.push_back(fmt::format("{}; it is left out", one_line(error.what())));
+    }
+  }
+  return loaded;
 }
 
 std::optional<StudyFile> find_study(const std::string& name, const std::vector<fs::path>& folders) {
@@ -173,7 +199,7 @@ std::vector<fs::path> chosen_studies(const std::vector<std::string>& names,
 
 std::string study_digest(const fs::path& path, const StudyFile& study) {
   std::string bytes = read_bounded(path, most_study_bytes);
-  if (!study.table.empty()) bytes += read_bounded(path.parent_path() / study.table, most_row_bytes);
+  if (!study.table.empty()) bytes += read_bounded(table_of(path, study), most_row_bytes);
   return fmt::format("{:08x}", crc_of(bytes));
 }
 

@@ -35,8 +35,17 @@ std::vector<std::filesystem::path> chosen_studies(const std::vector<std::string>
 /// A digest of the file `path`, from which `study` was read, and of its table.
 std::string study_digest(const std::filesystem::path& path, const StudyFile& study);
 
-/// Reads a study from its file. Throws UserError like `read_study_file`.
+/// Reads a study from its file. Throws UserError like `read_study_file`, and for a table outside of the
+/// folder of the file.
 StudyFile load_study(const std::filesystem::path& path);
+
+struct LoadedStudies {
+  std::vector<StudyFile> files = {};
+  std::vector<std::string> refused = {};  ///< a line for each study that could not be read
+};
+
+/// Reads studies for a verb that goes over all of them: one that is refused does not end it.
+LoadedStudies load_studies(const std::vector<std::filesystem::path>& paths);
 
 /// Reads the measured rows of a study from a file of comma-separated values. Where they have `sigma` and the
 /// study has no weight, the weight becomes 1/sigma. Throws UserError like `read_measured_rows`, and for a

@@ -107,6 +107,7 @@ void note_lines(const toml::table& whole, StudyFile& file) {
   note("over", whole.get("over"));
   note("target", whole["target"]["formula"].node());
   note("recompute", whole["target"]["recompute"].node());
+  note("table", whole["target"]["table"].node());
   note("weight", whole["metric"]["weight"].node());
   for (std::size_t i = 0; i < file.forms.size(); ++i)
     note("form " + file.forms[i].id, whole["form"][i]["formula"].node());
@@ -229,18 +230,40 @@ void read_forms(const TomlReader& reader, const toml::table& whole, StudyFile& f
     const toml::table& form = reader.table(*node, "form");
     reader.require_keys(form, {"id", "formula"});
     const StudyForm read{reader.required(form, "id"), reader.required(form, "formula")};
+    // A plain word: `--form` takes it, and it stands in tables, pictures and code.
+    const bool is_id = !read.id.empty() && read.id.front() != '-' && std::ranges::all_of(read.id, [](char c) {
+      return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '-' ||
+             c == '_';
+    });
+    if (!is_id)
+      reader.fail(form,
+                  fmt::format("form id '{}' must be letters, digits, '-' and '_', no '-' first", read.id));
     const bool is_there = std::ranges::find(file.forms, read.id, &StudyForm::id) != file.forms.end();
     if (is_there) reader.fail(form, fmt::format("the form '{}' is there already", read.id));
+    if (file.forms.size() == most_forms)
+      reader.fail(form, fmt::format("a study has at most {} forms", most_forms));
     file.forms.push_back(read);
   }
   if (file.forms.empty()) reader.fail(whole, "a study needs a [[form]]");
+}
+
+/// Texts in several lines become one: ends of lines and tabs separate as spaces do.
+void join_lines(toml::node& node) {
+  if (toml::value<std::string>* text = node.as_string())
+    std::ranges::replace_if(
+        text->get(), [](char c) { return '\t' <= c && c <= '\r'; }, ' ');
+  if (toml::array* array = node.as_array()) std::ranges::for_each(*array, join_lines);
+  if (toml::table* table = node.as_table()) {
+    for (auto&& [key, value] : *table) join_lines(value);
+  }
 }
 
 }  // namespace
 
 StudyFile read_study_file(const std::string& text, const std::string& name) {
   const TomlReader reader("study '" + printable(name) + "'");
-  const toml::table whole = reader.parse(text);
+  toml::table whole = reader.parse(text);
+  join_lines(whole);
   reader.require_keys(whole, {"schema", "id", "title", "about", "over", "given", "let", "target", "form",
                               "metric", "published"});
   const auto schema = whole["schema"].value<int>();

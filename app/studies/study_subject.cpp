@@ -67,7 +67,7 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
   whole.form = form.formula;
   const Study bare = without_fit(whole);
   const std::vector<std::string> names = read_formulas(bare).parameters;
-  const auto chosen = [&](const Constants& constants, std::string_view from, const std::string& origin) {
+  const auto chosen = [&](const Constants& constants, std::string_view from, const OthersText& origin) {
     ChosenStudySubject result{{bare, in_order(constants, names)}, from, origin};
     const std::string fault = fault_of_constants(result.subject.parameters, names, "the form");
     if (!fault.empty()) throw UserError(fault);
@@ -76,8 +76,8 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
   const std::string asks_for_fit = option_of_fits(options);
   if (parameters && !asks_for_fit.empty())
     throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
-  if (parameters) return chosen(*parameters, "given", "given");
-  if (names.empty()) return chosen({}, "given", "no constant");
+  if (parameters) return chosen(*parameters, "given", std::string("given"));
+  if (names.empty()) return chosen({}, "given", std::string("no constant"));
   for (const PublishedSet& set : file.published) {
     if (asks_for_fit.empty() && set.form == form.id && is_for(set, study))
       return chosen(set.values, "published", "published: " + set.source);

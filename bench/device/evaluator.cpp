@@ -48,7 +48,7 @@ std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage lan
                               ShaderPrecision precision) {
   const bool is_hlsl = language == ShaderLanguage::hlsl;
   const std::string code = shader_code(std::span(&function, 1), is_hlsl ? Language::hlsl : Language::glsl,
-                                       precision, std::array<std::string, 0>());
+                                       precision, std::array<OthersText, 0>());
   return fmt::format(fmt::runtime(is_hlsl ? hlsl_head : glsl_head), threads_per_group, code) +
          fmt::format(", i = {};\n  if (thread < push.size) result[i] = {}({});\n}}\n",
                      arguments == Arguments::patterns ? "thread" : "push.from + thread", function.name,

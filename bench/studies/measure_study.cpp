@@ -17,6 +17,7 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/table/writers.hpp"
 
@@ -94,7 +95,7 @@ std::string code_of(const std::vector<TimedFunction>& timed) {
     functions.push_back(one.function);
     loops += loop_of(one.function.name, one.function.arguments.size());
   }
-  const std::array<std::string, 1> comment{"Timed by shadefit bench."};
+  const std::array<OthersText, 1> comment{std::string("Timed by shadefit bench.")};
   return shader_code(functions, Language::c, ShaderPrecision::float32, comment) + compiler_code + loops;
 }
 
@@ -143,7 +144,7 @@ TimedTarget timed_target(const std::string& id, const std::vector<StudyCompariso
   if (comparison.contenders.empty())
     throw UserError("no fit of '" + id + "' converged, and nothing was published: there is nothing to time");
   return {comparisons.size() == 1 ? id : fmt::format("{}-{}", id, &comparison - comparisons.data() + 1),
-          target_of(comparison)};
+          for_terminal(target_of(comparison))};
 }
 
 TimedForm row_of(const StudyComparison& comparison, const TimedTarget& target) {
@@ -156,7 +157,7 @@ TimedForm row_of(const StudyComparison& comparison, const TimedTarget& target) {
 }
 
 TimedForm row_of(const StudyContender& contender, const TimedTarget& target) {
-  const std::string& origin = contender.origin;
+  const std::string& origin = contender.origin.unescaped();
   TimedForm row;
   row.target = target.id;
   row.form = contender.form;
@@ -204,7 +205,8 @@ Table study_times(const Trade& trade, const std::string& target) {
   std::ranges::stable_sort(rows, {},
                            [](const TimedForm& row) { return std::pair(row.ns.median, row.max_abs_error); });
   for (const TimedForm& timed : rows) {
-    table.rows.push_back({timed.label, timed.max_abs_error ? Cell{Number{*timed.max_abs_error, 4}} : Cell{},
+    table.rows.push_back({OthersText(timed.label),
+                          timed.max_abs_error ? Cell{Number{*timed.max_abs_error, 4}} : Cell{},
                           measured(timed.ns.median), measured(timed.ns.width()), measured(timed.copies),
                           measured(timed.pows)});
   }
@@ -220,7 +222,8 @@ std::vector<File> study_bench_files(const Trade& trade) {
       "Errors are those of exact arithmetic; times are this machine's, of this day.\n\n",
       trade.machine.cpu, trade.machine.compiler, trade.forms.front().real.size());
   for (const TimedTarget& target : trade.targets)
-    text += fmt::format("## {}\n\n{}", target.title, markdown_block(study_times(trade, target.id)));
+    text +=
+        fmt::format("## {}\n\n{}", for_markdown(target.title), markdown_block(study_times(trade, target.id)));
   text.pop_back();  // sections end in an empty line, the file does not
   return {{"bench.md", text}, {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
 }

@@ -1,4 +1,5 @@
 #include "bench/tradeoff/google_json.hpp"
+#include "reports/io/escape.hpp"
 
 #include <unistd.h>
 
@@ -119,7 +120,7 @@ std::string google_json(const Trade& trade, const Occasion& occasion) {
                     {"driver", trade.machine.driver},
                     {"compiler", trade.machine.compiler}}},
                   {"benchmarks", rows}};
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace shadefit::bench

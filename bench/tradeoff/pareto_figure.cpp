@@ -10,7 +10,7 @@
 
 #include "bench/tradeoff/labels.hpp"
 #include "reports/figures/plot_script.hpp"
-#include "reports/io/gnuplot_text.hpp"
+#include "reports/io/escape.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -170,7 +170,7 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
   const LogarithmicAxis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
   const std::string name = "pareto-" + target.id;
   Panel panel{.title = fmt::format("{}, on {}", raised(target.title),
-                                   gnuplot_unmarked(is_graphics ? trade.machine.device : trade.machine.cpu)),
+                                   for_gnuplot(is_graphics ? trade.machine.device : trade.machine.cpu)),
               .x_label = is_graphics ? "time of an evaluation in ns, float, on the whole device"
                                      : "time of an element in ns, float, data in L1, one core",
               .y_label = "largest absolute error",

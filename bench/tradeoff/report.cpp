@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/table/writers.hpp"
 
@@ -21,7 +22,7 @@ std::string target_section(const Trade& trade, const TimedTarget& target,
 std::string figure_block(const std::vector<Figure>& figures, const TimedTarget& target) {
   for (const Figure& figure : figures) {
     if (figure.name == "pareto-" + target.id)
-      return fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", figure.caption, figure.name);
+      return fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", for_markdown(figure.caption), figure.name);
   }
   return "";
 }

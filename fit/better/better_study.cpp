@@ -43,7 +43,7 @@ bool is_shown(const SampledCurve& curve) {
                              [](double value) { return -slack <= value && value <= 1 + slack; });
 }
 
-StudyContender contender_of(const StudyForm& form, const Study& study, std::string origin,
+StudyContender contender_of(const StudyForm& form, const Study& study, OthersText origin,
                             std::vector<double> values, std::vector<std::string> printed,
                             const Checkpoint& checkpoint) {
   const ReadStudy read = read_study(study);

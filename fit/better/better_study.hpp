@@ -40,7 +40,7 @@ struct ContenderInFormat {
 struct StudyContender {
   const PublishedSet* published = nullptr;  ///< null for a fit
   std::string form, formula;                ///< the id and the formula
-  std::string origin;                       ///< the source, or the objective of a fit
+  OthersText origin;                        ///< the source, or the objective of a fit
   std::vector<std::string> names;
   std::vector<std::string> printed = {};  ///< of a published set
   std::vector<double> values;

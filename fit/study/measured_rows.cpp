@@ -19,6 +19,15 @@ std::string shown(std::string_view cell) {
   return "'" + std::string(cell.substr(0, most_shown)) + (cell.size() > most_shown ? " ..'" : "'");
 }
 
+/// A name of a column, if it is a plain word; else only where it stands: the file may be any file, and its
+/// content is not for messages.
+std::string shown_name(std::string_view name, std::size_t column) {
+  const bool is_word = std::ranges::all_of(name, [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_';
+  });
+  return is_word ? shown(name) : "column " + std::to_string(column + 1);
+}
+
 /// The text of a file of rows, line by line.
 class RowReader {
  public:
@@ -39,7 +48,8 @@ class RowReader {
   std::size_t column(std::string_view name) const {
     if (!has_column(name)) {
       std::string list;
-      for (const std::string_view column : columns_) list += (list.empty() ? "" : ", ") + shown(column);
+      for (std::size_t i = 0; i < columns_.size(); ++i)
+        list += (list.empty() ? "" : ", ") + shown_name(columns_[i], i);
       throw UserError(file_ + " has no column " + shown(name) + "; it has " + list);
     }
     return static_cast<std::size_t>(std::ranges::find(columns_, name) - columns_.begin());
@@ -87,9 +97,10 @@ class RowReader {
   void require_column_name(std::size_t i) const {
     const std::string_view name = columns_[i];
     if (name.empty()) refuse("column " + std::to_string(i + 1) + " has no name");
-    if (parse_number(name)) refuse(shown(name) + " is a number: the first line must name the columns");
+    if (parse_number(name))
+      refuse("column " + std::to_string(i + 1) + " is a number: the first line must name the columns");
     if (std::count(columns_.begin(), columns_.end(), name) > 1)
-      refuse("the column " + shown(name) + " is there twice");
+      refuse(shown_name(name, i) + " is there twice");
   }
 
   std::string file_;

@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/support/others_text.hpp"
+
 /// Rows of a measurement: the target of a study that has no formula.
 namespace shadefit {
 
 /// One number for each row in every list.
 struct MeasuredRows {
-  std::string file;                         ///< its name, for messages
+  OthersText file;                          ///< its name, for messages
   std::vector<std::vector<double>> places;  ///< the values of each variable
   std::vector<double> value;
   std::vector<double> sigma;  ///< the standard deviation of each value; empty if the file does not have it

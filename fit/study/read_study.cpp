@@ -78,6 +78,7 @@ StudyAxis axis_of_range(const StudyRange& range) {
   const std::string label = quoted(range.variable + "=" + range.lower + ":" + range.upper);
   const double lower = number_of(part, range.lower), upper = number_of(part, range.upper);
   if (!(lower < upper)) throw StudyFault(part, label + " is empty: its first end must be below its second");
+  if (!std::isfinite(upper - lower)) throw StudyFault(part, label + " is wider than the largest number");
   const Symbolic density = read(part, range.density, {.variables = {range.variable}}, label).formula;
   return {range.variable, lower, upper, density};
 }
@@ -104,86 +105,99 @@ std::vector<StudyAxis> axes_of(const Study& study) {
   return axes;
 }
 
-/// The definitions that a definition uses, by their places.
-std::vector<std::size_t> used_by(const StudyDefinition& definition, const std::vector<StudyDefinition>& all) {
+/// The definitions that each name stands for, by their places.
+using DefinitionPlaces = std::map<std::string, std::size_t, std::less<>>;
+
+/// The definitions that a definition uses, the last first.
+std::vector<std::size_t> used_by(const StudyDefinition& definition, const DefinitionPlaces& places) {
   std::vector<std::size_t> used;
   for (const std::string& name : names_in(definition.formula)) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const StudyDefinition& one) { return one.name == name; });
-    if (found != all.end() && !contains(definition.arguments, name))
-      used.push_back(static_cast<std::size_t>(found - all.begin()));
+    const auto found = places.find(name);
+    if (found != places.end() && !contains(definition.arguments, name)) used.push_back(found->second);
   }
+  std::reverse(used.begin(), used.end());
   return used;
 }
 
-/// The names from a definition back to itself, "f, g, f"; empty if it does not use itself.
-std::string ring_of(std::size_t first, const std::vector<StudyDefinition>& all) {
-  std::vector<std::string> way(all.size());  // how each was reached; empty: it was not
-  std::vector<std::size_t> open{first};
-  while (!open.empty()) {
-    const std::size_t one = open.front();
-    open.erase(open.begin());
-    for (const std::size_t used : used_by(all[one], all)) {
-      const std::string before = one == first ? all[first].name : way[one];
-      if (used == first) return before + ", " + all[first].name;
-      if (!way[used].empty()) continue;
-      way[used] = before + ", " + all[used].name;
-      open.push_back(used);
+/// Refuses definitions that use each other in a ring, by their names: "f, g, f". The name that a ring lacks
+/// where it is read is known elsewhere.
+void refuse_ring(const std::vector<StudyDefinition>& all) {
+  struct Step {
+    std::size_t definition;
+    std::vector<std::size_t> left;  ///< that it uses, and that were not followed yet
+  };
+  DefinitionPlaces places;
+  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
+  std::vector<bool> is_seen(all.size());
+  for (std::size_t first = 0; first < all.size(); ++first) {
+    std::vector<Step> way;
+    const auto follow = [&](std::size_t next) {
+      if (!is_seen[next]) way.push_back({next, used_by(all[next], places)});
+      is_seen[next] = true;
+    };
+    for (follow(first); !way.empty();) {
+      std::vector<std::size_t>& left = way.back().left;
+      if (left.empty()) {
+        way.pop_back();
+        continue;
+      }
+      const std::size_t next = left.back();
+      left.pop_back();
+      auto step = std::ranges::find(way, next, &Step::definition);
+      const std::string& name = all[next].name;
+      std::string ring;
+      for (; step != way.end(); ++step) ring += all[step->definition].name + ", ";
+      if (!ring.empty())
+        throw StudyFault({"--let", name}, quoted(name) + " is defined by itself: " + ring + name);
+      follow(next);
     }
   }
-  return "";
 }
 
-/// Refuses a ring by its names. The name that it lacks where it is read is known elsewhere.
-void refuse_ring(const std::vector<StudyDefinition>& all) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string ring = ring_of(i, all), &name = all[i].name;
-    if (!ring.empty()) throw StudyFault({"--let", name}, quoted(name) + " is defined by itself: " + ring);
-  }
-}
-
-using Definitions = std::map<std::string, Definition, std::less<>>;
-
-Definition read_definition(const StudyDefinition& definition, const Study& study,
-                           const std::vector<std::string>& variables, const Definitions& before) {
+/// Reads a definition; `names` has those before it. Restores `names`.
+Definition read_definition(const StudyDefinition& definition, const Study& study, FormulaNames& names) {
   const StudyPart part{"--let", definition.name};
+  const std::size_t variables = names.variables.size();
   require_name(part, definition.name);
   require_free_of_rows(part, definition.name, study);
-  if (contains(variables, definition.name) || before.contains(definition.name))
+  if (contains(names.variables, definition.name) || names.definitions.contains(definition.name))
     throw StudyFault(part, quoted(definition.name) + " names something else already");
-  FormulaNames names{.variables = variables, .definitions = before, .takes_integrals = true};
+  if (definition.arguments.size() > most_arguments)
+    throw StudyFault(part, quoted(definition.name) + " has " + std::to_string(definition.arguments.size()) +
+                               " arguments: at most " + std::to_string(most_arguments));
+  // In a formula a variable comes before a definition of its name.
   for (const std::string& argument : definition.arguments) {
     require_name(part, argument, quoted(definition.name) + ", argument");
-    names.definitions.erase(argument);
     if (!contains(names.variables, argument)) names.variables.push_back(argument);
   }
-  return {definition.arguments, read(part, definition.formula, names, quoted(definition.name)).formula};
+  const Symbolic formula = read(part, definition.formula, names, quoted(definition.name)).formula;
+  names.variables.resize(variables);
+  return {definition.arguments, formula};
 }
 
-/// Definitions in the order given; each may use those before it, the variables and the given constants.
-Definitions definitions_of(const Study& study, const std::vector<std::string>& variables) {
-  Definitions result;
+/// What the formulas of a study may name: the variables, the given constants and the definitions. Each
+/// definition may use those before it.
+FormulaNames names_of(const Study& study, const std::vector<std::string>& variables) {
+  FormulaNames names{.variables = variables, .takes_integrals = true};
   for (const auto& [name, value] : study.given) {
     const StudyPart part{"--given", name};
     require_name(part, name);
     require_free_of_rows(part, name, study);
     if (contains(variables, name)) throw StudyFault(part, quoted(name) + " is a variable already");
-    result.emplace(name, Definition{{}, read(part, value, {}, quoted(name)).formula});
+    names.definitions.emplace(name, Definition{{}, read(part, value, {}, quoted(name)).formula});
   }
+  if (study.definitions.size() > most_definitions)
+    throw StudyFault({"--let"}, " has " + std::to_string(study.definitions.size()) +
+                                    " definitions: at most " + std::to_string(most_definitions));
   for (const StudyDefinition& definition : study.definitions) {
     try {
-      result.emplace(definition.name, read_definition(definition, study, variables, result));
+      names.definitions.emplace(definition.name, read_definition(definition, study, names));
     } catch (const StudyFault&) {
       refuse_ring(study.definitions);
       throw;
     }
   }
-  return result;
-}
-
-/// What the formulas of a study may name.
-FormulaNames names_of(const Study& study, const std::vector<std::string>& variables) {
-  return {.variables = variables, .definitions = definitions_of(study, variables), .takes_integrals = true};
+  return names;
 }
 
 /// A list of parameters is that of the form.
@@ -217,7 +231,7 @@ ReadFormula read_form(const Study& study, FormulaNames names) {
 void require_enough_rows(const ReadStudy& study) {
   const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
   if (rows < parameters)
-    throw UserError("'" + study.rows->file + "' has fewer rows than the form has parameters: " +
+    throw UserError("'" + study.rows->file.unescaped() + "' has fewer rows than the form has parameters: " +
                     std::to_string(rows) + " and " + std::to_string(parameters));
 }
 

@@ -77,6 +77,9 @@ std::vector<std::string> formula_inputs(const ReadStudy& study);
 inline constexpr std::size_t most_axes = 3;
 inline constexpr std::size_t most_study_parameters = most_fitted;
 
+/// The most definitions of a study, arguments of one, and forms.
+inline constexpr std::size_t most_definitions = 1000, most_arguments = 16, most_forms = 100;
+
 /// The density that a word names: `cosine`, `angle` and `cosine-weighted` for a cosine in [0, 1]. Any other
 /// text is a formula already.
 std::string density_of(const std::string& text, const std::string& variable);

@@ -1,10 +1,18 @@
 #include "fit/study/study_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "fit/support/format.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
+namespace {
+
+/// Each combination has the definitions.
+constexpr double most_combined_bytes = 1 << 28;
+
+}  // namespace
 
 std::string_view name(StatedError error) {
   switch (error) {
@@ -39,6 +47,14 @@ std::string given_text(const Study& study) {
 
 std::vector<Study> combinations(const Study& study,
                                 const std::vector<std::pair<std::string, std::vector<std::string>>>& given) {
+  double count = 1, bytes = sizeof(Study);
+  for (const auto& [name, values] : given) count *= static_cast<double>(values.size());
+  for (const StudyDefinition& definition : study.definitions)
+    bytes += static_cast<double>(sizeof definition + definition.formula.size());
+  const double most = std::min<double>(most_combinations, std::floor(most_combined_bytes / bytes));
+  if (count > most)
+    throw UserError(
+        fmt::format("the given constants have {:g} combinations of values: at most {}", count, most));
   std::vector<Study> studies{study};
   for (const auto& [name, values] : given) {
     std::vector<Study> longer;

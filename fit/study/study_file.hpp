@@ -10,6 +10,7 @@
 
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
+#include "fit/support/others_text.hpp"
 
 /// A study with a name: a target, the forms that compete for it, and the constants that were published.
 namespace shadefit {
@@ -42,15 +43,15 @@ std::string_view name(StatedError error);
 struct ErrorClaim {
   StatedError error = StatedError::max_abs_error;
   std::string printed;
-  std::string says = {};              ///< the words of the source
+  OthersText says = {};               ///< the words of the source
   std::vector<StudyRange> over = {};  ///< other ranges than those of the study
 };
 
 /// A copy with another digit, or with a value that its source has replaced.
 struct MistypedCopy {
-  PrintedValues values;       ///< only those that differ
-  std::string seen;           ///< where
-  std::string replaced = {};  ///< why its source replaced it; empty: it is mistyped
+  PrintedValues values;      ///< only those that differ
+  OthersText seen;           ///< where
+  OthersText replaced = {};  ///< why its source replaced it; empty: it is mistyped
 };
 
 /// One published set of constants of a form.
@@ -58,16 +59,17 @@ struct PublishedSet {
   std::string form;                         ///< the id of a form
   PrintedValues given = {};                 ///< the given constants that it was published for; empty: any
   PrintedValues values;                     ///< one for each parameter
-  std::string source;                       ///< author, year, title
-  std::vector<std::string> where = {};      ///< repositories and files that use it
+  OthersText source;                        ///< author, year, title
+  std::vector<OthersText> where = {};       ///< repositories and files that use it
   std::vector<ErrorClaim> claims = {};      ///< about its errors
   std::vector<MistypedCopy> variants = {};  ///< copies that differ
 };
 
 struct StudyFile {
-  std::string id, title, about;
-  Study study;             ///< its form is empty: it is one of `forms`
-  std::string table = {};  ///< the file of measured rows, beside the file of the study; empty: a formula
+  std::string id;
+  OthersText title = {}, about = {};
+  Study study;            ///< its form is empty: it is one of `forms`
+  OthersText table = {};  ///< the file of measured rows, in the folder of the study; empty: a formula
   bool is_encoded =
       false;  ///< whether the target is a signal for a display, as sRGB is, and not linear light
   std::optional<std::string> recompute = {};  ///< the formula that gave the values of the table
@@ -87,8 +89,11 @@ bool is_for(const PublishedSet& set, const Study& study);
 /// "k = 3, g = 0.5": the given constants of a study; empty without any.
 std::string given_text(const Study& study);
 
+inline constexpr std::size_t most_combinations = 10000;
+
 /// Every combination of given constants: the values of the last change fastest. Throws UserError for a
-/// constant that is given twice.
+/// constant that is given twice, and for more than `most_combinations`, or fewer of a study of many
+/// definitions.
 std::vector<Study> combinations(const Study& study,
                                 const std::vector<std::pair<std::string, std::vector<std::string>>>& given);
 

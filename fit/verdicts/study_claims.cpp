@@ -43,7 +43,8 @@ std::shared_ptr<const MeasuredRows> rows_within(const ErrorClaim& claim, const S
     if (!all.sigma.empty()) within.sigma.push_back(all.sigma[row]);
   }
   if (within.value.empty())
-    throw UserError("the table '" + all.file + "' has no rows in the range of the claim " + claim.printed);
+    throw UserError("the table '" + all.file.unescaped() + "' has no rows in the range of the claim " +
+                    claim.printed);
   return std::make_shared<const MeasuredRows>(std::move(within));
 }
 

@@ -67,7 +67,7 @@ void name_form_numbers(KnownSet& set) {
 }
 
 KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet& published) {
-  KnownSet set{file.id, published.form, published.source, {}, read.form, {}};
+  KnownSet set{file.id, published.form, published.source.unescaped(), {}, read.form, {}};
   for (const StudyAxis& axis : read.axes) set.axes.push_back({axis.variable, axis.lower, axis.upper});
   for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
   name_form_numbers(set);
@@ -75,7 +75,7 @@ KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet
     for (const auto& [name, printed] : copy.values) {
       const auto constant = std::ranges::find(set.constants, name, &KnownConstant::name);
       const auto place = static_cast<std::size_t>(constant - set.constants.begin());
-      set.variants.push_back({place, printed, copy.replaced, false});
+      set.variants.push_back({place, printed, copy.replaced.unescaped(), false});
     }
   return set;
 }

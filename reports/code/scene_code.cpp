@@ -11,7 +11,6 @@
 #include "approx/microfacet.hpp"
 #include "approx/shading.hpp"
 #include "fit/support/decimal.hpp"
-#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {
@@ -153,13 +152,13 @@ std::string exponent_source(const scene::Material& material) {
 }
 
 /// A line for each material with a lobe, its constants to as many digits as a float has.
-std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
+std::vector<OthersText> material_lines(const Scene& scene, const Plan& plan) {
   constexpr int digits = 9;
-  std::vector<std::string> lines;
+  std::vector<OthersText> lines;
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const scene::MaterialPlan& material = plan.materials[i];
     if (!material.has_lobe) continue;
-    std::string line = "  " + printable(material.name) + ": ";
+    OthersText line = "  " + OthersText(material.name) + ": ";
     if (scene.materials[i].is_power_textured()) {
       line += exponent_source(scene.materials[i]);
     } else if (has_sharpness(plan)) {
@@ -176,10 +175,10 @@ std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
   return lines;
 }
 
-std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
+std::vector<OthersText> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
   const bool in_codes = plan.wanted.scale == scene::ShownScale::codes;
   const bool is_constant = plan.shading.lobe.kind == LobeKind::constant;
-  std::vector<std::string> comment{std::string(generated_line), command, ""};
+  std::vector<OthersText> comment{std::string(generated_line), command, OthersText()};
   if (!plan.has_lobes()) {
     comment.emplace_back("No material of this scene needs a specular term.");
     return comment;
@@ -213,7 +212,7 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
       fmt::format("With a specular lobe, {} of {}:",
                   std::ranges::count_if(plan.materials, [](const auto& m) { return m.has_lobe; }),
                   counted(static_cast<long>(plan.materials.size()), "material")));
-  const std::vector<std::string> lines = material_lines(scene, plan);
+  const std::vector<OthersText> lines = material_lines(scene, plan);
   comment.insert(comment.end(), lines.begin(), lines.end());
   return comment;
 }

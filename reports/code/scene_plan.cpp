@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "fit/support/decimal.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/writers.hpp"
 
@@ -63,32 +64,6 @@ std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
   return lines;
 }
 
-/// A text of the scene's files, escaped for Markdown: never a tag, a link, a picture or a new row.
-std::string markdown_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    // Markdown escapes do not work inside the cells of a table; a character reference always works.
-    const bool has_meaning = std::string_view("&<>|`*_[]()!~#\\$@").find(c) != std::string_view::npos;
-    out += has_meaning ? fmt::format("&#{};", static_cast<int>(c)) : std::string(1, c);
-  }
-  // GitHub turns text that looks like a link into a link.
-  for (const std::string_view sign : {"://", "www."}) {
-    for (std::size_t i = 0; (i = out.find(sign, i)) != std::string::npos; i += sign.size())
-      out.replace(i + (sign == "www." ? 3 : 0), 1, sign == "www." ? "&#46;" : "&#58;");
-  }
-  return out;
-}
-
-/// A table that may contain words of a scene's files.
-Table for_markdown(Table table) {
-  for (auto& row : table.rows) {
-    for (Cell& cell : row) {
-      if (auto* word = std::get_if<std::string>(&cell)) *word = markdown_text(*word);
-    }
-  }
-  return table;
-}
-
 Json json_of(const scene::Range& range) {
   return Json::array({range.least, range.most});
 }
@@ -107,9 +82,9 @@ Table materials_table(const Scene& scene, const Plan& plan) {
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const MaterialPlan& m = plan.materials[i];
     const bool is_textured = scene.materials[i].is_power_textured();
-    table.rows.push_back({printable(m.name), std::string(m.has_lobe ? "yes" : "no"),
+    table.rows.push_back({OthersText(m.name), std::string(m.has_lobe ? "yes" : "no"),
                           range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
-                          m.has_lobe ? Cell(decimal_below(m.cutoff, 6)) : Cell(), m.reason});
+                          m.has_lobe ? Cell(decimal_below(m.cutoff, 6)) : Cell(), OthersText(m.reason)});
   }
   return table;
 }
@@ -128,10 +103,10 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
       "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven. "
       "Where a normal map turns a normal away from the viewer, n.v < 0, n.l counts as 2 n.h at most.\n\n# Materials\n\n`largest` is the "
       "largest F (n + 2)/8; below `cutoff`, a value of n.h, a light need not be asked.\n\n" +
-      markdown_block(for_markdown(materials_table(scene, plan)));
+      markdown_block(materials_table(scene, plan));
   const std::vector<std::string> lines = notes(scene, plan);
   if (!lines.empty()) text += "# Notes\n\n";
-  for (const std::string& line : lines) text += "- " + markdown_text(line) + "\n";
+  for (const std::string& line : lines) text += "- " + for_markdown(line) + "\n";
   return text;
 }
 

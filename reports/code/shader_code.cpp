@@ -15,6 +15,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/code/dialects.hpp"
 #include "reports/io/digest.hpp"
+#include "reports/io/escape.hpp"
 
 namespace shadefit {
 namespace {
@@ -261,20 +262,21 @@ Symbolic as_generated(const Symbolic& e, ShaderPrecision precision) {
 }
 
 std::string shader_code(std::span<const ShaderFunction> functions, Language language,
-                        ShaderPrecision precision, std::span<const std::string> comment) {
+                        ShaderPrecision precision, std::span<const OthersText> comment) {
   const Dialect& dialect = dialect_of(language);
   const bool is_half = precision == ShaderPrecision::float16;
   if (is_half && dialect.half.empty())
     throw UserError(
         fmt::format("--precision 'half' does not apply to --lang '{}': it has no half", dialect.name));
   std::string code;
-  for (const std::string& line : comment) code += line.empty() ? "//\n" : "// " + line + "\n";
+  for (const OthersText& line : comment)
+    code += line.empty() ? "//\n" : fmt::format("// {}\n", for_comment(line));
   std::string body;
   const std::string_view prologue = is_half ? dialect.prologue_half : dialect.prologue;
   if (!prologue.empty()) body += fmt::format("\n{}", prologue);
   for (const ShaderFunction& function : functions) {
     body += "\n";
-    for (const std::string& line : function.comment) body += "// " + line + "\n";
+    for (const std::string& line : function.comment) body += fmt::format("// {}\n", for_comment(line));
     ShaderFunction generated = function;
     generated.result = as_generated(function.result, precision);
     body += fmt::format("{} {{\n{}}}\n", head(function, dialect, is_half ? dialect.half : dialect.type),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/scalars/symbolic.hpp"
+#include "fit/support/others_text.hpp"
 
 /// Functions for shaders, kernels and C, generated from their formulas.
 namespace shadefit {
@@ -54,7 +55,7 @@ Symbolic as_generated(const Symbolic& expression, ShaderPrecision precision);
 /// Throws UserError if the language lacks a function of the vocabulary (log1p in a shader, acos of half in
 /// CUDA), or half (C and C++).
 std::string shader_code(std::span<const ShaderFunction> functions, Language language,
-                        ShaderPrecision precision, std::span<const std::string> comment);
+                        ShaderPrecision precision, std::span<const OthersText> comment);
 
 /// Why a function in generated code cannot have this name, an identifier of letters, digits and '_': it is a
 /// keyword or a function of the language, or has a reserved form. Empty if the name is allowed.

@@ -5,7 +5,7 @@
 #include "approx/fresnel.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
-#include "reports/io/gnuplot_text.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/rows/comparisons.hpp"
 
 namespace shadefit {
@@ -40,7 +40,7 @@ double error_at(const Comparison& comparison, const Contender& contender, const 
 Figure better_figure(const Comparison& comparison) {
   const auto shown = shown_contenders(comparison);
   Table table{{"cosine"}};
-  Panel panel{.title = gnuplot_unmarked(target_of(comparison)),
+  Panel panel{.title = for_gnuplot(target_of(comparison)),
               .x_label = "c, the cosine",
               .y_label = comparison.setting.surface.is_named() ? "error of F" : "error",
               .abscissa = "cosine"};
@@ -49,7 +49,7 @@ Figure better_figure(const Comparison& comparison) {
     table.columns.push_back(column);
     const bool is_published = shown[i]->kind == Contender::Kind::published;
     const std::string label = fmt::format("{}: {}", is_published ? shown[i]->origin : "best", shown[i]->form);
-    panel.curves.push_back({column, gnuplot_unmarked(label), curve_looks.at(i)});
+    panel.curves.push_back({column, for_gnuplot(label), curve_looks.at(i)});
   }
   const Domain& domain = comparison.domain;
   for (const double c : abscissae(domain.lower, domain.upper)) {

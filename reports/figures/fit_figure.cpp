@@ -9,7 +9,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
-#include "reports/io/gnuplot_text.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/rows/tables.hpp"
 
@@ -74,13 +74,13 @@ Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table
   const Domain domain = shown_domain(fit);
   const std::string range = fmt::format("set xrange [{:.9g}:{:.9g}]\n", domain.lower, domain.upper);
   const std::string at = fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "";
-  Panel curves{.title = gnuplot_unmarked(
-                   fmt::format("{}{}: {}", to_text(family.form()), at, constants_text(fit, family))),
-               .y_label = fit.surface.is_exact() ? "weight f" : "value",
-               .settings = range,
-               .abscissa = "cosine",
-               .curves = {{"target", "target: " + gnuplot_unmarked(target_of(fit)), Look::target},
-                          {"form", "form", Look::first}}};
+  Panel curves{
+      .title = for_gnuplot(fmt::format("{}{}: {}", to_text(family.form()), at, constants_text(fit, family))),
+      .y_label = fit.surface.is_exact() ? "weight f" : "value",
+      .settings = range,
+      .abscissa = "cosine",
+      .curves = {{"target", "target: " + for_gnuplot(target_of(fit)), Look::target},
+                 {"form", "form", Look::first}}};
   Panel errors{.x_label = "c, the cosine",
                .y_label = is_relative ? "relative error" : "form − target",
                .settings = range,
@@ -174,7 +174,7 @@ Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& famil
   const std::vector<const Fit*> drawn = drawn_of(fits);
   // Over more than a decade, a logarithmic axis shows both ends.
   const std::string scale = *drawn.back()->exponent > 10 * *drawn.front()->exponent ? "set logscale x\n" : "";
-  Panel parameters{.title = gnuplot_unmarked(to_text(family.form())),
+  Panel parameters{.title = for_gnuplot(to_text(family.form())),
                    .y_label = "parameter",
                    .settings = scale,
                    .abscissa = "exponent"};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/io/escape.hpp"
 #include "reports/io/gnuplot_text.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/own_file.hpp"
@@ -99,8 +100,8 @@ std::string prelude(const Plot& plot) {
              "set datafile separator comma\n"
              "set datafile columnheaders\n"
              "set minussign\n",
-             plot.about, plot.name, picture_width, layout.height, picture_width * centimetres_a_pixel,
-             layout.height * centimetres_a_pixel) +
+             for_comment(plot.about), plot.name, picture_width, layout.height,
+             picture_width * centimetres_a_pixel, layout.height * centimetres_a_pixel) +
          std::string(styles) +
          fmt::format(
              "set border lc rgb '#404040'\n"
@@ -118,11 +119,11 @@ const char* style_of(const Curve& curve) {
 }
 
 std::string command_of(const Plot& plot, const Panel& panel, const Curve& curve) {
-  const std::string x = panel.where.empty()
-                            ? fmt::format("(column('{}'))", panel.abscissa)
-                            : fmt::format("({} ? column('{}') : NaN)", panel.where, panel.abscissa);
-  return fmt::format("'{}.csv' using {}:({}column('{}')) with {} ls {} notitle", plot.name, x,
-                     curve.in_percent ? "100*" : "", curve.column, style_of(curve),
+  const std::string x = panel.where.empty() ? fmt::format("(column({}))", gnuplot_quoted(panel.abscissa))
+                                            : fmt::format("({} ? column({}) : NaN)", panel.where,
+                                                          gnuplot_quoted(panel.abscissa));
+  return fmt::format("'{}.csv' using {}:({}column({})) with {} ls {} notitle", plot.name, x,
+                     curve.in_percent ? "100*" : "", gnuplot_quoted(curve.column), style_of(curve),
                      static_cast<int>(curve.look));
 }
 
@@ -134,17 +135,18 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
       "set tics nomirror out scale 0.5; set xtics auto; set ytics auto; set grid xtics ytics ls 9\n"
       "set border {}\n"
       "set title {} offset 0,-0.4\n"
-      "set xlabel '{}'\n"
-      "set label '{}' at graph 0, graph 0.5 center rotate offset char -8.6,0\n",
-      panel.top_tics.empty() ? 3 : 7, gnuplot_quoted(panel.title), panel.x_label, panel.y_label);
+      "set xlabel {}\n"
+      "set label {} at graph 0, graph 0.5 center rotate offset char -8.6,0\n",
+      panel.top_tics.empty() ? 3 : 7, gnuplot_quoted(panel.title), gnuplot_quoted(panel.x_label),
+      gnuplot_quoted(panel.y_label));
   if (!panel.top_tics.empty())
     out += fmt::format("set x2tics ({}) out scale 0.5 textcolor '#606060'\n", panel.top_tics);
   out += panel.settings;
   for (const Level& level : panel.levels) {
     out += fmt::format(
         "set arrow from graph 0, first {0} to graph 1, first {0} nohead ls 8 back\n"
-        "set label '{1}' at graph 0.99, first {0} right offset 0,0.55 textcolor '#505050'\n",
-        level.value, level.label);
+        "set label {1} at graph 0.99, first {0} right offset 0,0.55 textcolor '#505050'\n",
+        level.value, gnuplot_quoted(level.label));
   }
   const auto command = [&](const Curve& curve) { return command_of(plot, panel, curve); };
   return out + fmt::format("plot {}\n", joined(panel.curves, between_lines, command));
@@ -154,8 +156,8 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
 std::string legend_text(const Plot& plot) {
   const auto legend = legend_of(plot);
   const std::string entries = joined(legend, "", [](const Curve& curve) {
-    return fmt::format("{}keyentry with {} ls {} title '{}'", between_lines, style_of(curve),
-                       static_cast<int>(curve.look), curve.label);
+    return fmt::format("{}keyentry with {} ls {} title {}", between_lines, style_of(curve),
+                       static_cast<int>(curve.look), gnuplot_quoted(curve.label));
   });
   return fmt::format(
       "\nunset arrow; unset label; unset logscale; unset x2tics; unset xtics; unset ytics; unset border\n"

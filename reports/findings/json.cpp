@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/findings/finding_texts.hpp"
+#include "reports/io/escape.hpp"
 
 /// Findings as JSON of our own; docs/output-formats.md has the fields.
 namespace shadefit::findings {
@@ -51,8 +52,7 @@ std::string findings_json(const FindingReport& report) {
   for (const FindingRule& rule : report.rules)
     json["rules"].push_back({{"id", rule.id}, {"title", rule.title}, {"help", rule.help}});
   for (const Finding& finding : report.findings) json["findings"].push_back(finding_json(finding));
-  // The name of a file may be no UTF-8.
-  return json.dump(2, ' ', false, FindingJson::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace shadefit::findings

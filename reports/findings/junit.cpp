@@ -33,6 +33,8 @@ std::string xml_text(std::string_view text) {
                              point == '\n' || point == '\r';
     if (length == 0 || !is_xml(point)) {
       xml += replacement;
+    } else if (point > 0x7F && is_unshown(point)) {
+      xml += fmt::format("&#{};", static_cast<unsigned>(point));
     } else if (is_referred) {
       xml += fmt::format("&#{};", static_cast<unsigned>(point));
     } else {

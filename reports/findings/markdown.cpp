@@ -14,15 +14,9 @@ namespace {
 /// `one_line`, of 600 characters of up to 4 bytes, half as much again for escapes, and less for the rest.
 constexpr std::size_t most_rows = 200;
 
-/// A text without a meaning for Markdown. CommonMark lets a backslash stand before any ASCII punctuation;
-/// '|' is left to the writer of tables. HTML is escaped as such.
-std::string markdown_text(std::string_view text) {
-  std::string escaped;
-  for (const char c : one_line(text)) {
-    if (std::string_view("\\`*_[]#~").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return escaped;
+/// A cell of bounded size.
+OthersText short_cell(std::string_view text) {
+  return one_line(text);
 }
 
 /// A table of findings, with what is left out.
@@ -33,10 +27,9 @@ std::string finding_table(const std::vector<const Finding*>& findings, bool has_
   for (std::size_t i = 0; i < std::min(findings.size(), most_rows); ++i) {
     const Finding& finding = *findings[i];
     auto& row = table.rows.emplace_back();
-    row = {std::string(name(finding.level)),
-           finding.place ? markdown_text(place_text(*finding.place)) : std::string(),
-           markdown_text(finding.rule), markdown_text(finding.message)};
-    if (has_reasons) row.emplace_back(markdown_text(*finding.suppressed));
+    row = {std::string(name(finding.level)), short_cell(finding.place ? place_text(*finding.place) : ""),
+           short_cell(finding.rule), short_cell(finding.message)};
+    if (has_reasons) row.emplace_back(short_cell(*finding.suppressed));
   }
   std::string text = "\n" + write_markdown(table, Precision::report);
   if (findings.size() > most_rows)

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/findings/finding_texts.hpp"
+#include "reports/io/escape.hpp"
 
 /// Findings as SARIF. Source: OASIS 2020, "Static Analysis Results Interchange Format (SARIF) Version 2.1.0";
 /// the numbers in comments are its sections.
@@ -72,7 +73,7 @@ std::string findings_sarif(const FindingReport& report) {
        "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"},
       {"version", "2.1.0"},
       {"runs", SarifJson::array({run})}};
-  return log.dump(2, ' ', false, SarifJson::error_handler_t::replace) + "\n";
+  return json_text(log);
 }
 
 }  // namespace shadefit::findings

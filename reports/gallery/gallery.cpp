@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reports/gallery/html.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
 #include "reports/table/writers.hpp"
@@ -15,9 +16,10 @@ namespace shadefit {
 namespace {
 
 /// "owner/name" of each place, once.
-std::string repositories(const std::vector<std::string>& places) {
+OthersText repositories(const std::vector<OthersText>& places) {
   std::vector<std::string> names;
-  for (const std::string& place : places) {
+  for (const OthersText& of_others : places) {
+    const std::string& place = of_others.unescaped();
     const std::string name = place.substr(0, place.find_first_of("@ :"));
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
@@ -88,7 +90,7 @@ Table table_of_page(const Table& rows) {
 std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
   std::string others;  // without a row
   for (const JudgedStudy& study : all)
-    if (!study.is_published) others += fmt::format(" <a href=\"{0}.html\">{0}</a>", html_text(study.id));
+    if (!study.is_published) others += fmt::format(" <a href=\"{0}.html\">{0}</a>", for_html(study.id));
   const auto studies =
       std::ranges::count_if(all, [](const JudgedStudy& study) { return study.is_published; });
   const auto improved = std::ranges::count_if(
@@ -108,7 +110,7 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
           "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
           rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
       (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");
-  return html_page("Published constants of shading", body);
+  return html_page(std::string("Published constants of shading"), body);
 }
 
 }  // namespace

@@ -14,10 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// null, a text, a whole number, or [text of a number, digits]. Numbers have the digits that are shown, so
-/// the file has the same bytes on every machine.
+/// null, a text, [a text of others], a whole number, or [text of a number, digits]. Numbers have the digits
+/// that are shown, so the file has the same bytes on every machine.
 Json cell_json(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+  if (const auto* others = std::get_if<OthersText>(&cell)) return Json::array({*others});
   if (const auto* whole = std::get_if<long>(&cell)) return *whole;
   const auto* number = std::get_if<Number>(&cell);
   if (number == nullptr) return nullptr;
@@ -28,6 +29,7 @@ Cell cell_of(const OwnFields& fields, const Json& json) {
   if (json.is_null()) return {};
   if (json.is_string()) return json.get<std::string>();
   if (json.is_number_integer()) return json.get<long>();
+  if (json.is_array() && json.size() == 1) return OthersText(fields.text_of(json[0], "rows"));
   if (!json.is_array() || json.size() != 2) fields.fail("rows", "has a cell that shadefit does not write");
   const std::string shown = fields.text_of(json[0], "rows");
   Number number{0, fields.whole_of<int>(json[1], "rows")};

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "reports/io/escape.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -128,23 +130,12 @@ std::string class_of_cell(std::string_view words, bool in_a_column_of_numbers) {
 
 }  // namespace
 
-std::string html_text(std::string_view text) {
-  constexpr std::array<std::pair<char, std::string_view>, 4> references{
-      {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
-  std::string out;
-  for (const char& c : text) {
-    const auto* found = std::ranges::find(references, c, &std::pair<char, std::string_view>::first);
-    out += found == references.end() ? std::string_view(&c, 1) : found->second;
-  }
-  return out;
-}
-
-std::string html_page(std::string_view title, std::string_view body) {
+std::string html_page(const OthersText& title, std::string_view body) {
   return fmt::format(
       "<!doctype html><!-- shadefit -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<link rel=\"icon\" href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
-      html_text(title), style, body, script);
+      for_html(title), style, body, script);
 }
 
 std::string html_table(const Table& table, bool is_index) {
@@ -153,7 +144,7 @@ std::string html_table(const Table& table, bool is_index) {
       is_index ? " class=\"sortable\"" : "");
   const std::vector<bool> has_numbers = columns_with_numbers(table);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string name = html_text(table.columns[i]);
+    const std::string name = for_html(table.columns[i]);
     out += fmt::format("<th scope=\"col\"{}{}>{}</th>", has_numbers[i] ? " class=\"number\"" : "",
                        is_index ? " aria-sort=\"none\"" : "",
                        is_index ? "<button type=\"button\">" + name + "</button>" : name);
@@ -162,7 +153,8 @@ std::string html_table(const Table& table, bool is_index) {
   for (const auto& row : table.rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string words = html_text(text(row[i], Precision::report));
+      const auto* others = std::get_if<OthersText>(&row[i]);
+      const std::string words = for_html(others != nullptr ? *others : text(row[i], Precision::report));
       const std::string inside =
           is_index && i == 0 ? fmt::format("<a href=\"{0}.html\">{0}</a>", words) : words;
       out += fmt::format("<td{}>{}</td>", class_of_cell(words, has_numbers[i]), inside);

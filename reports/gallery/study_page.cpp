@@ -11,6 +11,7 @@
 #include "reports/code/shader_code.hpp"
 #include "reports/gallery/html.hpp"
 #include "reports/gallery/pictures.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/rows/rounded.hpp"
 #include "reports/studies/study_comparison.hpp"
@@ -20,9 +21,9 @@
 namespace shadefit {
 namespace {
 
-std::string facts(const std::vector<std::string>& lines) {
+std::string facts(const std::vector<OthersText>& lines) {
   std::string out = "<ul class=\"facts\">\n";
-  for (const std::string& line : lines) out += fmt::format("<li>{}</li>\n", html_text(line));
+  for (const OthersText& line : lines) out += fmt::format("<li>{}</li>\n", for_html(line));
   return out + "</ul>\n";
 }
 
@@ -36,23 +37,23 @@ std::vector<const StudyContender*> shown(const StudyComparison& comparison) {
   return contenders;
 }
 
-std::string words_of(const StudyContender& contender) {
+OthersText words_of(const StudyContender& contender) {
   return contender.published != nullptr
              ? "as published: " + short_source(contender.origin)
-             : fmt::format("better at no more instructions: {}, {}", contender.form, contender.origin);
+             : "better at no more instructions: " + contender.form + ", " + contender.origin;
 }
 
 /// ", g = 0.5": the given constants of a comparison, to follow a heading.
 std::string behind(const StudyComparison& comparison) {
   const std::string given = given_text(comparison.study);
-  return html_text(given.empty() ? given : ", " + given);
+  return for_html(given.empty() ? given : ", " + given);
 }
 
 std::string keys_of(const std::vector<const StudyContender*>& contenders) {
   std::string keys;
   for (std::size_t i = 0; i < contenders.size(); ++i)
     keys += fmt::format("<li class=\"key-{}\">{}{}</li>\n", i + 1,
-                        i == 0 ? "solid: " : "dashed: ", html_text(words_of(*contenders[i])));
+                        i == 0 ? "solid: " : "dashed: ", for_html(words_of(*contenders[i])));
   return "<ul>\n" + keys + "</ul>\n";
 }
 
@@ -82,9 +83,10 @@ std::string picture(const StudyComparison& comparison) {
                        behind(comparison), curves, keys_of(contenders), ramps(comparison, contenders));
   const std::string maps = heat_map_svg(comparison, contenders);
   if (maps.empty()) return "";
-  std::string words = "Blue is too large, red too small; the strongest colour is the largest error of both.";
+  OthersText words =
+      std::string("Blue is too large, red too small; the strongest colour is the largest error of both.");
   if (contenders.size() > 1) words += " Right: " + words_of(*contenders[1]) + ".";
-  return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n{}", behind(comparison), maps, html_text(words),
+  return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n{}", behind(comparison), maps, for_html(words),
                      ramps(comparison, contenders));
 }
 
@@ -118,7 +120,7 @@ std::string without_formats(const StudyComparison& comparison) {
   if (reason.empty()) return "";
   return fmt::format(
       "<h2>In float and half{}</h2>\n<p>The constants are not rounded to float and half: {}.</p>\n",
-      behind(comparison), html_text(reason));
+      behind(comparison), for_html(reason));
 }
 
 std::string formats(const StudyComparison& comparison) {
@@ -145,7 +147,7 @@ std::string code_of(const GalleryEntry& entry) {
   const StudyContender& best = *contenders.back();
   ShaderFunction function{entry.file.id, comparison.variables, best.code};
   std::ranges::replace(function.name, '-', '_');
-  std::vector<std::string> comment{best.formula, words_of(best)};
+  std::vector<OthersText> comment{best.formula, words_of(best)};
   if (const std::string given = given_text(comparison.study); !given.empty()) comment.push_back(given);
   std::string options, blocks;
   for (const Language language : languages) {
@@ -159,22 +161,22 @@ std::string code_of(const GalleryEntry& entry) {
     options += fmt::format("<option>{}</option>", name(language));
     blocks += fmt::format(
         "<div class=\"code\" data-language=\"{}\"><button type=\"button\">copy</button><pre>{}</pre></div>\n",
-        name(language), html_text(code));
+        name(language), for_html(code));
   }
   return fmt::format(
       "<h2>Code{}</h2>\n<p><label>Language <select autocomplete=\"off\">{}</select></label> <span class=\"soft\">{}</span></p>\n{}",
-      behind(comparison), options, html_text(words_of(best)), blocks);
+      behind(comparison), options, for_html(words_of(best)), blocks);
 }
 
 }  // namespace
 
 std::string study_page(const GalleryEntry& entry) {
   std::string body = fmt::format("<p><a href=\"index.html\">All constants</a></p>\n<h1>{}</h1>\n",
-                                 html_text(study_title(entry.file)));
+                                 for_html(study_title(entry.file)));
   body += facts(study_statement(entry.file));
   for (const PublishedSet& set : entry.file.published) {
     const auto lines = published_lines(set, entry.comparisons);
-    body += fmt::format("<h2>{}</h2>\n", html_text(lines.front()));
+    body += fmt::format("<h2>{}</h2>\n", for_html(lines.front()));
     body += facts({lines.begin() + 1, lines.end()});
   }
   for (const StudyComparison& comparison : entry.comparisons) {
@@ -183,11 +185,12 @@ std::string study_page(const GalleryEntry& entry) {
     body += fmt::format("<h2>{}</h2>\n{}", "All forms compared" + behind(comparison),
                         html_table(study_comparison_table(comparison), false));
     if (!comparison.left_out.empty())
-      body += "<h2>Fits that did not converge</h2>\n" + facts(comparison.left_out);
+      body += "<h2>Fits that did not converge</h2>\n" +
+              facts({comparison.left_out.begin(), comparison.left_out.end()});
   }
   body += fmt::format(
       "<p class=\"soft\">{} The largest errors are sampled. <code>beats</code> names published rows with a larger error at no fewer instructions.</p>\n",
-      html_text(proven_in_words));
+      for_html(std::string(proven_in_words)));
   body += code_of(entry);
   return html_page(study_title(entry.file), body);
 }

@@ -15,12 +15,4 @@ inline std::string gnuplot_quoted(std::string_view text) {
   return "'" + joined(text, "", part) + "'";
 }
 
-/// A text that gnuplot's enhanced text shows unchanged.
-inline std::string gnuplot_unmarked(std::string_view text) {
-  constexpr std::string_view markup = R"(\^_{}@&~)";
-  return joined(text, "", [&](char c) {
-    return markup.find(c) == markup.npos ? std::string(1, c) : std::string{'\\', c};
-  });
-}
-
 }  // namespace shadefit

@@ -10,6 +10,7 @@
 
 #include "approx/ledger/catalogue.hpp"
 #include "approx/ledger/ledger.hpp"
+#include "reports/io/escape.hpp"
 
 namespace shadefit {
 namespace {
@@ -43,17 +44,6 @@ std::string letters_and_digits(std::string_view text) {
 /// BibTeX separates authors by "and".
 std::string with_and(std::string_view authors) {
   return boost::replace_all_copy(std::string(authors), ", ", " and ");
-}
-
-/// The text, with the letters that LaTeX would read as commands escaped.
-std::string escaped(std::string_view text) {
-  constexpr std::string_view special = "&%$#_{}";
-  std::string out;
-  for (const char c : text) {
-    if (special.find(c) != std::string_view::npos) out += '\\';
-    out += c == '^' ? "\\^{}" : std::string(1, c);
-  }
-  return out;
 }
 
 /// "Kulla, Conty 2017, Revisiting ..": a name has at most two words, so that "pbrt-v4 of August 2020" and
@@ -127,19 +117,20 @@ std::string bibtex(const Source& source) {
   return out + "}\n";
 }
 
-std::vector<std::string> bibtex_of_texts(const std::vector<std::string>& sources) {
+std::vector<std::string> bibtex_of_texts(const std::vector<OthersText>& sources) {
   std::map<std::string, int> uses;
   std::vector<std::string> entries;
-  for (const std::string& source : sources) {
-    const auto [author, year, title] = named_work(source);
+  for (const OthersText& source : sources) {
+    const auto [author, year, title] = named_work(source.unescaped());
     // Titles of code often begin with the same words.
     std::string key = author.empty() ? letters_and_digits(title)
                                      : first_letters(author, 1) + year + first_letters(title, 2);
     const int before = uses[key]++;
-    if (before > 0) key += static_cast<char>('a' + before);
+    if (before > 0)
+      key += before < 26 ? std::string(1, static_cast<char>('a' + before)) : fmt::format("-{}", before);
     std::string entry = fmt::format("@misc{{{},\n", key);
-    if (!author.empty()) entry += fmt::format("  author = {{{}}},\n", escaped(author));
-    entry += fmt::format("  title = {{{{{}}}}},\n", escaped(title));
+    if (!author.empty()) entry += fmt::format("  author = {{{}}},\n", for_latex(author));
+    entry += fmt::format("  title = {{{{{}}}}},\n", for_latex(title));
     if (!year.empty()) entry += fmt::format("  year = {{{}}},\n", year);
     entries.push_back(entry + "}\n");
   }

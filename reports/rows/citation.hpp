@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "approx/records/record.hpp"
+#include "fit/support/others_text.hpp"
 
 /// Sources as people and programs cite them.
 namespace shadefit {
@@ -27,7 +28,7 @@ std::string bibtex(const Source& source);
 /// The same for the sources of published sets of a study, which are texts: "Wrensch 2023, Minimal AgX
 /// implementation". Names and a year before the first comma become the author and the year; without them all
 /// is the title. Entries with equal keys get letters: kang2002designof, kang2002designofb.
-std::vector<std::string> bibtex_of_texts(const std::vector<std::string>& sources);
+std::vector<std::string> bibtex_of_texts(const std::vector<OthersText>& sources);
 
 /// The BibTeX entry of shadefit itself. CITATION.cff says the same.
 std::string bibtex_of_shadefit(std::string_view version);

@@ -200,7 +200,7 @@ std::string not_reached_lines(const Comparison& comparison) {
 }
 
 std::string left_out_lines(const std::vector<std::string>& left_out) {
-  return joined(left_out, "", [](const std::string& fit) { return "Left out: " + fit + "\n"; });
+  return joined(left_out, "", [](const std::string& fit) { return "Left out: " + for_terminal(fit) + "\n"; });
 }
 
 }  // namespace shadefit

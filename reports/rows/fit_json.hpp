@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fit/verdicts/refit.hpp"
+#include "reports/io/escape.hpp"
 
 /// Fits as JSON. Every number is the shortest decimal that reads back.
 namespace shadefit {
@@ -43,11 +44,6 @@ nlohmann::ordered_json json_array(const Range& range, const Of& of) {
   auto array = nlohmann::ordered_json::array();
   for (const auto& element : range) array.push_back(of(element));
   return array;
-}
-
-/// A JSON value as a file or a reader gets it.
-inline std::string json_text(const nlohmann::ordered_json& json) {
-  return json.dump(2) + "\n";
 }
 
 /// An array for a sweep, the object itself for one.

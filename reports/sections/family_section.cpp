@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "approx/ledger/catalogue.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/table/writers.hpp"
@@ -244,7 +245,7 @@ std::string figures_section(const std::vector<Figure>& figures, std::string_view
   std::string out;
   for (const Figure& figure : figures) {
     if (figure.family == family)
-      out += fmt::format("![{0}](plots/{0}.svg)\n\n{1}\n\n", figure.name, figure.caption);
+      out += fmt::format("![{0}](plots/{0}.svg)\n\n{1}\n\n", figure.name, for_markdown(figure.caption));
   }
   return out;
 }

@@ -23,7 +23,7 @@ std::string constants_text(const StudyContender& contender) {
   });
 }
 
-std::string origin_of(const StudyContender& contender) {
+OthersText origin_of(const StudyContender& contender) {
   return contender.published != nullptr ? short_source(contender.origin) : contender.origin;
 }
 
@@ -99,11 +99,11 @@ std::string curve_in_words(std::string_view key) {
                                   : "weighted error";
 }
 
-std::string target_of(const StudyComparison& comparison) {
+OthersText target_of(const StudyComparison& comparison) {
   const Study& study = comparison.study;
   const std::string given = given_text(study);
-  return (study.rows ? study.rows->file : study.target + ranges_text(study.over)) +
-         (given.empty() ? "" : ", " + given);
+  const OthersText target = study.rows ? study.rows->file : study.target + ranges_text(study.over);
+  return target + (given.empty() ? "" : ", " + given);
 }
 
 Table study_comparison_table(const StudyComparison& comparison) {
@@ -117,7 +117,7 @@ Table study_comparisons_table(const std::vector<StudyComparison>& comparisons) {
   Table table{with_columns_of({"name", "curve"}, comparisons.front())};
   for (const StudyComparison& comparison : comparisons) {
     for (const StudyContender& contender : comparison.contenders) {
-      const std::string curve = contender.form + ", " + origin_of(contender);
+      const OthersText curve = contender.form + ", " + origin_of(contender);
       table.rows.push_back(with_contender({given_text(comparison.study), curve}, contender));
     }
   }

@@ -14,7 +14,7 @@ namespace shadefit {
 std::string ranges_text(const std::vector<StudyRange>& ranges);
 
 /// "acos(x), x in 0:1", with the given constants.
-std::string target_of(const StudyComparison& comparison);
+OthersText target_of(const StudyComparison& comparison);
 
 /// "max abs error": the name of an error of a comparison in words.
 std::string error_in_words(std::string_view key);

@@ -10,7 +10,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
-#include "reports/io/gnuplot_text.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/studies/study_comparison.hpp"
 
@@ -147,17 +147,17 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   if (slices.empty()) throw UserError("--plot has nothing to draw: no fit converged");
   const StudyAxis& axis = first.axes.front();
   const Table table = slices_table(slices, axis);
-  Panel curves{.title = gnuplot_unmarked(study_headline(studies.front())),
+  Panel curves{.title = for_gnuplot(study_headline(studies.front())),
                .y_label = "value",
                .settings = range_of(axis),
                .abscissa = axis.variable};
-  Panel errors{.x_label = gnuplot_unmarked(axis.variable),
+  Panel errors{.x_label = for_gnuplot(axis.variable),
                .y_label = "form − target",
                .settings = range_of(axis),
                .abscissa = axis.variable};
   const bool is_measured = first.rows != nullptr;
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    const std::string label = gnuplot_unmarked(slices[i].second);
+    const std::string label = for_gnuplot(slices[i].second);
     curves.curves.push_back({fmt::format("target_{}", i + 1), is_measured ? "rows" : "target", Look::target,
                              false, is_measured, !is_measured});
     curves.curves.push_back({fmt::format("form_{}", i + 1), label, curve_looks.at(i)});
@@ -188,26 +188,25 @@ Figure better_study_figure(const StudyComparison& comparison) {
   const std::string& variable = comparison.variables.front();
   Table table{{variable}};
   const auto& measured = comparison.study.rows;
-  Panel panel{.title = gnuplot_unmarked(measured ? measured->file : comparison.study.target),
-              .x_label = gnuplot_unmarked(variable),
+  Panel panel{.title = for_gnuplot(measured ? measured->file : comparison.study.target),
+              .x_label = for_gnuplot(variable),
               .y_label = curve_in_words(comparison.error),
               .abscissa = variable};
   // Of two variables: at the value of the second where the first curve has its largest error.
   std::vector<double> fixed(shown.front()->max_error.at.begin() + 1, shown.front()->max_error.at.end());
   if (!fixed.empty())
-    panel.title += gnuplot_unmarked(fmt::format("   at {} = {}", comparison.variables[1],
-                                                text(Number{fixed.front(), 4}, Precision::report)));
+    panel.title += for_gnuplot(fmt::format("   at {} = {}", comparison.variables[1],
+                                           text(Number{fixed.front(), 4}, Precision::report)));
   std::vector<ReadStudy> read;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     read.push_back(formulas_of(comparison, *shown[i]));
     const std::string column = fmt::format("error_{}", i + 1);
     table.columns.push_back(column);
-    panel.curves.push_back(
-        {column,
-         gnuplot_unmarked(fmt::format(
-             "{}: {}", shown[i]->form,
-             shown[i]->published != nullptr ? short_source(shown[i]->origin) : "best, " + shown[i]->origin)),
-         curve_looks.at(i)});
+    panel.curves.push_back({column,
+                            for_gnuplot(shown[i]->form + ": " +
+                                        (shown[i]->published != nullptr ? short_source(shown[i]->origin)
+                                                                        : "best, " + shown[i]->origin)),
+                            curve_looks.at(i)});
   }
   const StudyAxis& axis = read.front().axes.front();
   // Measured rows are the only places where the error is known.

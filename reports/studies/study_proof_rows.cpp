@@ -23,10 +23,11 @@ std::string error_text(const Study& study) {
 
 }  // namespace
 
-std::string proof_headline(const StudyCertificate& certificate) {
+OthersText proof_headline(const StudyCertificate& certificate) {
   const Study& study = certificate.subject.study;
-  return fmt::format("{}, {} error{}, proven in {} bits", formulas_text(study), name(study.error),
-                     study.weight == "1" ? "" : ", weight " + study.weight, certificate.precision);
+  return formulas_text(study) + fmt::format(", {} error{}, proven in {} bits", name(study.error),
+                                            study.weight == "1" ? "" : ", weight " + study.weight,
+                                            certificate.precision);
 }
 
 Table study_proofs_table(const std::vector<ProvenStudy>& proofs) {

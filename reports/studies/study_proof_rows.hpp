@@ -19,7 +19,7 @@ struct ProvenStudy {
 };
 
 /// "sqrt(1-x) (a + b x) ~ acos(x), x in 0:1, absolute error, proven in 168 bits".
-std::string proof_headline(const StudyCertificate& certificate);
+OthersText proof_headline(const StudyCertificate& certificate);
 
 /// A row for each proof: the given constants, the parameters, the bounds, the place and the boxes. The
 /// studies differ in their given constants alone.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fit/verdicts/study_objectives.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/studies/study_comparison.hpp"
@@ -69,11 +70,11 @@ std::string proof_text(const ProvenError& proof) {
 }
 
 void append_better(const StudyComparison& comparison, const StudyContender& published,
-                   std::vector<std::string>& lines) {
+                   std::vector<OthersText>& lines) {
   const StudyContender* best = better_at_the_same_cost(comparison, published);
   const StudyContender* least = least_error_at_the_same_cost(comparison, published);
   const auto words = [&](const StudyContender& contender) {
-    return fmt::format("{}, {}: {}", contender.form, contender.origin, effect_text(comparison, contender));
+    return contender.form + ", " + contender.origin + ": " + effect_text(comparison, contender);
   };
   const auto append = [&](const std::string& what, const StudyContender& contender) {
     lines.push_back(what + words(contender));
@@ -88,21 +89,21 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
   const StudyContender* all = better_with_all_properties(comparison, published);
   if (all != nullptr && all != best) append("With all properties of the target: ", *all);
   if (least != nullptr && least != best)
-    lines.push_back(fmt::format("The smallest error: {}. This fit loses: {}", words(*least),
-                                to_text(lost_properties(published.properties, least->properties))));
+    lines.push_back("The smallest error: " + words(*least) +
+                    ". This fit loses: " + to_text(lost_properties(published.properties, least->properties)));
 }
 
 }  // namespace
 
-std::string study_title(const StudyFile& file) {
-  return file.title.empty() ? file.id : fmt::format("{}: {}", file.id, file.title);
+OthersText study_title(const StudyFile& file) {
+  return file.title.empty() ? OthersText(file.id) : file.id + ": " + file.title;
 }
 
-std::vector<std::string> study_statement(const StudyFile& file) {
-  std::vector<std::string> lines;
+std::vector<OthersText> study_statement(const StudyFile& file) {
+  std::vector<OthersText> lines;
   if (!file.about.empty()) lines.push_back(file.about);
   lines.push_back("Target: " +
-                  (file.study.rows ? "the rows of " + file.study.rows->file : file.study.target));
+                  (file.study.rows ? "the rows of " + file.study.rows->file : OthersText(file.study.target)));
   for (const StudyDefinition& definition : file.study.definitions)
     lines.push_back("where " + definition_text(definition));
   for (const StudyRange& range : file.study.over)
@@ -115,9 +116,9 @@ std::vector<std::string> study_statement(const StudyFile& file) {
   return lines;
 }
 
-std::vector<std::string> published_lines(const PublishedSet& set,
-                                         const std::vector<StudyComparison>& comparisons) {
-  std::vector<std::string> lines{fmt::format("{}: {} ({})", set.form, equations(set.values), set.source)};
+std::vector<OthersText> published_lines(const PublishedSet& set,
+                                        const std::vector<StudyComparison>& comparisons) {
+  std::vector<OthersText> lines{set.form + ": " + equations(set.values) + " (" + set.source + ")"};
   for (const StudyComparison& comparison : comparisons) {
     const StudyContender* contender = contender_of(comparison, set);
     if (contender == nullptr) continue;
@@ -133,21 +134,25 @@ std::vector<std::string> published_lines(const PublishedSet& set,
                                   ranges_text(judged.claim.over), judged.claim.printed,
                                   text(Number{judged.computed, 4}, Precision::report), name(judged.verdict)));
   }
-  if (!set.where.empty()) lines.push_back(fmt::format("Used in: {}", fmt::join(set.where, "; ")));
+  OthersText places;
+  for (const OthersText& place : set.where) places += (places.empty() ? "" : "; ") + place;
+  if (!places.empty()) lines.push_back("Used in: " + places);
   for (const MistypedCopy& copy : set.variants)
-    lines.push_back(fmt::format("Mistyped: {} in {}", equations(copy.values), copy.seen));
+    lines.push_back("Mistyped: " + equations(copy.values) + " in " + copy.seen);
   return lines;
 }
 
 std::string study_explanation(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
                               const Terminal& terminal) {
-  std::string out = study_title(file) + "\n";
-  const auto add = [&](const std::vector<std::string>& lines) {
+  std::string out = for_terminal(study_title(file)) + "\n";
+  const auto add = [&](const std::vector<OthersText>& lines) {
     constexpr std::size_t indent = 2;
-    for (const std::string& line : lines)
+    for (const OthersText& of_others : lines) {
+      const std::string line = for_terminal(of_others);
       out += terminal.width == 0
                  ? line + "\n"
                  : fmt::format("{}\n", fmt::join(folded(line, terminal.width - indent), "\n  "));
+    }
   };
   add(study_statement(file));
   for (const PublishedSet& set : file.published) {
@@ -159,22 +164,22 @@ std::string study_explanation(const StudyFile& file, const std::vector<StudyComp
 
 std::vector<File> study_files_of(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
                                  const std::vector<Figure>& figures) {
-  std::string page = fmt::format("# Study {}\n\n", study_title(file));
-  for (const std::string& line : study_statement(file)) page += line + "  \n";
+  std::string page = fmt::format("# Study {}\n\n", for_markdown(study_title(file)));
+  for (const OthersText& line : study_statement(file)) page += for_markdown(line) + "  \n";
   for (const PublishedSet& set : file.published) {
     page += "\n";
-    for (const std::string& line : published_lines(set, comparisons)) page += line + "  \n";
+    for (const OthersText& line : published_lines(set, comparisons)) page += for_markdown(line) + "  \n";
   }
   for (const StudyComparison& comparison : comparisons) {
-    page += fmt::format("\n## {}\n\n{}", target_of(comparison),
+    page += fmt::format("\n## {}\n\n{}", for_markdown(target_of(comparison)),
                         markdown_block(study_comparison_table(comparison)));
-    page += left_out_lines(comparison.left_out);
+    for (const std::string& fit : comparison.left_out) page += "Left out: " + for_markdown(fit) + "\n";
   }
   page += fmt::format(
       "\n{} The largest errors are sampled. `beats` names published rows with a larger error at no fewer instructions.\n",
       proven_in_words);
   for (const Figure& figure : figures)
-    page += fmt::format("\n![{}](plots/{}.svg)\n", figure.caption, figure.name);
+    page += fmt::format("\n![{}](plots/{}.svg)\n", for_markdown(figure.caption), figure.name);
   return {{"report.md", page},
           {"better.csv", write_csv(study_comparisons_table(comparisons), Precision::report)}};
 }

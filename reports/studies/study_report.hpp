@@ -18,14 +18,14 @@ inline constexpr std::string_view proven_in_words =
     "A proven property holds for all numbers of the range, but for 1e-12 of the target's largest value, which is rounding; exact is within 2^-24 of it.";
 
 /// "acos-linear: the arc cosine by a line times a root".
-std::string study_title(const StudyFile& file);
+OthersText study_title(const StudyFile& file);
 
 /// One line for each fact of the study: what is approximated, over what, by which forms.
-std::vector<std::string> study_statement(const StudyFile& file);
+std::vector<OthersText> study_statement(const StudyFile& file);
 
 /// What a source printed, and what is computed about it.
-std::vector<std::string> published_lines(const PublishedSet& set,
-                                         const std::vector<StudyComparison>& comparisons);
+std::vector<OthersText> published_lines(const PublishedSet& set,
+                                        const std::vector<StudyComparison>& comparisons);
 
 /// What a study says and what is computed: title, formulas, each published set with its verdict, its source
 /// and its places, and the comparison.

@@ -51,10 +51,9 @@ std::vector<Cell> last_cells(const FittedStudy& study) {
   return cells;
 }
 
-std::string target_text(const Study& study) {
-  return study.rows ? fmt::format("'{}', {}", study.rows->file,
-                                  counted(static_cast<long>(study.rows->value.size()), "row"))
-                    : study.target;
+OthersText target_text(const Study& study) {
+  if (!study.rows) return study.target;
+  return "'" + study.rows->file + "', " + counted(static_cast<long>(study.rows->value.size()), "row");
 }
 
 std::string range_text(const StudyRange& range) {
@@ -176,8 +175,9 @@ std::string verdict_text(const StudyJudgement& judgement) {
   return fmt::format("{} ({} fits tried)", verdict_in_words(judgement), judgement.tried);
 }
 
-std::string short_source(const std::string& source) {
+OthersText short_source(const OthersText& of) {
   constexpr std::size_t year = 4;
+  const std::string& source = of.unescaped();
   for (std::size_t at = 0; at + year <= source.size(); ++at) {
     const std::string_view word = std::string_view(source).substr(at, year);
     const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
@@ -223,14 +223,14 @@ std::string definition_text(const StudyDefinition& definition) {
   return fmt::format("{}{} = {}", definition.name, arguments, definition.formula);
 }
 
-std::string formulas_text(const Study& study) {
+OthersText formulas_text(const Study& study) {
   return study.form + " ~ " + target_text(study) +
          joined(study.over, "", [](const StudyRange& range) { return ", " + range_text(range); });
 }
 
-std::string study_headline(const FittedStudy& study) {
+OthersText study_headline(const FittedStudy& study) {
   const std::string weight = study.asked().weight == "1" ? "" : ", weight " + study.asked().weight;
-  return fmt::format("{}, {}{}", formulas_text(study.asked()), study.objective.words, weight);
+  return formulas_text(study.asked()) + ", " + study.objective.words + weight;
 }
 
 std::string level_text(const FittedStudy& study) {

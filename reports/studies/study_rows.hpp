@@ -35,7 +35,7 @@ std::string verdict_in_words(const StudyJudgement& judgement);
 std::string verdict_text(const StudyJudgement& judgement);
 
 /// A source for a table: the authors and the year; without a year up to the first comma or colon.
-std::string short_source(const std::string& source);
+OthersText short_source(const OthersText& source);
 
 /// A row for each fit: the given constants, the parameters, status, digits and errors; where something was
 /// published, its digits and the verdict.
@@ -45,10 +45,10 @@ Table study_table(const std::vector<FittedStudy>& studies);
 std::string definition_text(const StudyDefinition& definition);
 
 /// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1".
-std::string formulas_text(const Study& study);
+OthersText formulas_text(const Study& study);
 
 /// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1, least squares".
-std::string study_headline(const FittedStudy& study);
+OthersText study_headline(const FittedStudy& study);
 
 /// "Level 0.00320696, the error is + at x = 0, - at x = 0.3" of a minimax fit, and a line for each place
 /// where a constraint touches.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/io/escape.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -20,6 +22,7 @@ int decimal_exponent(double value) {
 
 std::string text(const Cell& cell, Precision precision) {
   if (const auto* word = std::get_if<std::string>(&cell)) return *word;
+  if (const auto* others = std::get_if<OthersText>(&cell)) return for_terminal(*others);
   if (const auto* whole = std::get_if<long>(&cell)) return fmt::format("{}", *whole);
   if (const auto* number = std::get_if<Number>(&cell)) {
     const double value = number->value == 0 ? 0 : number->value;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "approx/cosine.hpp"
+#include "fit/support/others_text.hpp"
 
 /// A table of results. Several writers print it.
 namespace shadefit {
@@ -19,8 +20,14 @@ struct Number {
 /// For `Number::digits`: the shortest decimal that reads back as the same double.
 inline constexpr int all_digits = 17;
 
-/// Nothing, a word or sentence, a whole number, or a number.
-using Cell = std::variant<std::monostate, std::string, long, Number>;
+/// Nothing, a word or sentence of ours, a whole number, a number, or a text of others, which each writer
+/// escapes for its place.
+using Cell = std::variant<std::monostate, std::string, long, Number, OthersText>;
+
+/// Whether a cell has words.
+inline bool has_words(const Cell& cell) {
+  return std::holds_alternative<std::string>(cell) || std::holds_alternative<OthersText>(cell);
+}
 
 /// A number with all digits.
 inline Cell all_of(double value) {
@@ -37,7 +44,8 @@ enum class Precision {
   full,    ///< the shortest decimal that reads back as the same double
 };
 
-/// The text of a cell; free of the locale. Negative zero prints as 0.
+/// The text of a cell; free of the locale. Negative zero prints as 0. A text of others is as a terminal shows
+/// it.
 std::string text(const Cell& cell, Precision precision);
 
 Cell word(std::string_view text);

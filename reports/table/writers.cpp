@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 
 #include "fit/least_squares/status.hpp"
 #include "fit/verdicts/verdict.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/mathematics.hpp"
@@ -23,11 +25,17 @@ namespace {
 
 using Texts = std::vector<std::vector<std::string>>;
 
-Texts texts(const Table& table, Precision precision) {
+/// The texts of the cells, those of others as `escaped` makes them, ours as `ours` does.
+Texts texts(const Table& table, Precision precision, std::string (*escaped)(const OthersText&),
+            const std::function<std::string(const std::string&)>& ours = {}) {
   Texts rows;
   for (const auto& row : table.rows) {
     auto& cells = rows.emplace_back();
-    for (const Cell& cell : row) cells.push_back(text(cell, precision));
+    for (const Cell& cell : row) {
+      const auto* others = std::get_if<OthersText>(&cell);
+      const std::string of_us = others != nullptr ? "" : printable(text(cell, precision));
+      cells.push_back(others != nullptr ? escaped(*others) : ours ? ours(of_us) : of_us);
+    }
   }
   return rows;
 }
@@ -51,8 +59,7 @@ std::vector<std::size_t> widths(const Table& table, const Texts& rows, std::size
 std::vector<bool> numeric_columns(const Table& table) {
   std::vector<bool> are_numeric(table.columns.size(), true);
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      are_numeric[i] = are_numeric[i] && !std::holds_alternative<std::string>(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) are_numeric[i] = are_numeric[i] && !has_words(row[i]);
   }
   return are_numeric;
 }
@@ -77,30 +84,20 @@ std::vector<std::string> in_words(std::vector<std::string> titles) {
   return titles;
 }
 
-/// A character as LaTeX needs it. The default font encoding lacks <, > and | in text.
-std::string latex_character(char c) {
-  constexpr std::array<std::pair<char, std::string_view>, 6> named{{{'\\', "\\textbackslash{}"},
-                                                                    {'~', "\\textasciitilde{}"},
-                                                                    {'^', "\\textasciicircum{}"},
-                                                                    {'<', "\\textless{}"},
-                                                                    {'>', "\\textgreater{}"},
-                                                                    {'|', "\\textbar{}"}}};
-  const auto* found = std::ranges::find(named, c, &std::pair<char, std::string_view>::first);
-  if (found != named.end()) return std::string(found->second);
-  const bool is_special = std::string_view("&%$#_{}").find(c) != std::string_view::npos;
-  const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
-  return is_special ? std::string{'\\', c} : std::string(1, is_control ? ' ' : c);
+/// At the start of a row, LaTeX reads [..] and * as arguments of the row before.
+std::string latex_start(const std::string& s) {
+  return (s.starts_with('[') || s.starts_with('*') ? "{}" : "") + s;
 }
 
-std::string latex_words(const std::string& s) {
-  return joined(s, "", latex_character);
+std::string latex_words(const OthersText& s) {
+  return latex_start(for_latex(s));
 }
 
 /// "`c^k` falls" as "$c^{k}$ falls"; nothing for a text without marks, or whose marks hold no formulas.
 std::optional<std::string> latex_statement(const std::string& s) {
   if (s.find('`') == std::string::npos) return {};
   try {
-    return with_mathematics(s, latex_words);
+    return with_mathematics(s, [](const std::string& words) { return for_latex(words); });
   } catch (const std::invalid_argument&) {
     return {};
   }
@@ -114,13 +111,11 @@ std::string latex_cell(const std::string& s, MoreNames names) {
   if (s.starts_with("at ")) {
     if (const auto place = latex_mathematics(s.substr(3), names)) return "at " + *place;
   }
-  // At the start of a row, LaTeX reads [..] and * as arguments of the row before.
-  const std::string start = s.starts_with('[') || s.starts_with('*') ? "{}" : "";
-  return start + latex_statement(s).value_or(latex_words(s));
+  return latex_start(latex_statement(s).value_or(for_latex(s)));
 }
 
-std::string latex_line(const std::vector<std::string>& cells, MoreNames names) {
-  return joined(cells, " & ", [&](const std::string& cell) { return latex_cell(cell, names); }) + " \\\\\n";
+std::string latex_line(const std::vector<std::string>& cells) {
+  return joined(cells, " & ") + " \\\\\n";
 }
 
 /// A column on a terminal.
@@ -208,14 +203,13 @@ std::vector<std::string> fit_columns(std::vector<ConsoleColumn>& columns, std::s
 
 std::string write_csv(const Table& table, Precision precision) {
   std::string out = csv_line(table.columns);
-  for (const auto& row : texts(table, precision)) out += csv_line(row);
+  for (const auto& row : texts(table, precision, for_csv)) out += csv_line(row);
   return out;
 }
 
 std::string write_markdown(const Table& table, Precision precision) {
-  auto rows = texts(table, precision);
-  for (auto& row : rows)
-    for (std::string& cell : row) boost::replace_all(cell, "|", "\\|");
+  const auto rows = texts(table, precision, for_markdown,
+                          [](const std::string& ours) { return boost::replace_all_copy(ours, "|", "\\|"); });
   const auto width_of = widths(table, rows, 3);
   const std::vector<bool> are_numeric = numeric_columns(table);
   const auto line = [&](const std::vector<std::string>& cells) {
@@ -238,8 +232,11 @@ std::string write_latex(const Table& table, Precision precision, std::span<const
   const std::vector<bool> are_numeric = numeric_columns(table);
   std::string out = "% needs \\usepackage{booktabs}\n\\begin{tabular}{";
   for (std::size_t i = 0; i < table.columns.size(); ++i) out += are_numeric[i] ? 'r' : 'l';
-  out += "}\n\\toprule\n" + latex_line(in_words(table.columns), more_names) + "\\midrule\n";
-  for (const auto& row : texts(table, precision)) out += latex_line(row, more_names);
+  const auto cell = [&](const std::string& ours) { return latex_cell(ours, more_names); };
+  std::vector<std::string> titles = in_words(table.columns);
+  std::ranges::transform(titles, titles.begin(), cell);
+  out += "}\n\\toprule\n" + latex_line(titles) + "\\midrule\n";
+  for (const auto& row : texts(table, precision, latex_words, cell)) out += latex_line(row);
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
@@ -284,8 +281,7 @@ std::string with_coloured_verdicts(std::string text, const Terminal& terminal) {
 }
 
 std::string write_console(const Table& table, Precision precision, const Terminal& terminal) {
-  auto rows = texts(table, precision);
-  for (auto& row : rows) std::ranges::transform(row, row.begin(), printable);
+  const auto rows = texts(table, precision, for_terminal);
   auto columns = console_columns(table, rows);
   const auto dropped =
       terminal.width == 0 ? std::vector<std::string>{} : fit_columns(columns, terminal.width);
@@ -332,6 +328,7 @@ nlohmann::ordered_json write_json(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       auto& value = object[table.columns[i]];
       if (const auto* word = std::get_if<std::string>(&row[i])) value = *word;
+      if (const auto* others = std::get_if<OthersText>(&row[i])) value = *others;
       if (const auto* whole = std::get_if<long>(&row[i])) value = *whole;
       if (const auto* number = std::get_if<Number>(&row[i])) value = number->value;
     }

@@ -82,7 +82,7 @@ TEST(TimingShader, HoldsTheTextThatEmitWrites) {
   const std::array ranges{Range{0, 1}, Range{0, 1}};
   for (const ShaderPrecision precision : shader_precisions) {
     const std::string text =
-        shader_code(std::span(&function, 1), Language::glsl, precision, std::array<std::string, 0>());
+        shader_code(std::span(&function, 1), Language::glsl, precision, std::array<OthersText, 0>());
     const std::string independent = timing_shader(function, ranges, precision, Chain::independent),
                       dependent = timing_shader(function, ranges, precision, Chain::dependent);
     EXPECT_NE(independent.find(text), std::string::npos);

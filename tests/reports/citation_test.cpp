@@ -41,7 +41,7 @@ TEST(Citation, ATextHasItsAuthorsAndYearFirstOrIsATitle) {
   ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(entries[0],
             "@misc{le1993analgorithm,\n  author = {Le Saec and Schlick},\n"
-            "  title = {{An algorithm: k = 1.55 g - 0.55 g\\^{}3}},\n  year = {1993},\n}\n");
+            "  title = {{An algorithm: k = 1.55 g - 0.55 g\\textasciicircum{}3}},\n  year = {1993},\n}\n");
   EXPECT_TRUE(entries[1].starts_with("@misc{le1993analgorithmb,\n")) << "another key";
   EXPECT_EQ(entries[2], "@misc{materialx2024mxalbedo,\n  title = {{MaterialX, 2024: mx\\_albedo}},\n}\n");
   EXPECT_EQ(entries[3],

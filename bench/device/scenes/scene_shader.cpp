@@ -185,7 +185,7 @@ std::string glsl_of(const SceneShader& shader) {
       "  if (i < push.size) shade(push.from + i);\n"
       "}}\n",
       threads_per_group,
-      shader_code(shader.functions, Language::glsl, ShaderPrecision::float32, std::array<std::string, 0>()),
+      shader_code(shader.functions, Language::glsl, ShaderPrecision::float32, std::array<OthersText, 0>()),
       planes_of_pixel, words_of_material, decoding_lines(shader), light_of(shader), sums, written);
 }
 

@@ -21,7 +21,7 @@ std::string head() {
 }
 
 std::string emitted(const ShaderFunction& function, ShaderPrecision precision) {
-  return shader_code(std::span(&function, 1), Language::glsl, precision, std::array<std::string, 0>());
+  return shader_code(std::span(&function, 1), Language::glsl, precision, std::array<OthersText, 0>());
 }
 
 /// The type of the chain's numbers: that of the function.

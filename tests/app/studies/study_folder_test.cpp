@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -175,6 +176,88 @@ TEST_F(StudyFolder, RecomputesRowsOfATable) {
                      "', line 5: 'recompute' goes with a table: it is the formula of its values");
 }
 
+// A study of others may name no file elsewhere, and a file that is no table says nothing about its content.
+TEST_F(StudyFolder, ATableLiesInItsFolder) {
+  namespace fs = std::filesystem;
+  fs::create_directories(path("studies/sub"));
+  const std::string secret = directory_.file("secret", "root:*:19000\n"), study = path("studies/line.toml");
+  write("studies/sub/rows.csv", "x,value\n0,1\n1,3\n2,5.3\n");
+  fs::create_symlink(secret, path("studies/link"));
+  fs::create_symlink("circle", path("studies/circle"));
+  fs::create_symlink("sub", path("studies/inner"));
+  fs::create_symlink(path("studies"), path("elsewhere"));
+  const auto with_table = [&](const std::string& table) {
+    const std::string text = replaced(line_study, "formula = \"x^2\"", "table = \"" + table + "\"");
+    write("studies/line.toml",
+          replaced(replaced(text, "x = \"0:1\"", "x = \"\""), "max_abs_error", "rms_error"));
+  };
+  for (const std::string table :
+       {secret, std::string("../secret"), std::string("link"), std::string("sub/../../secret"),
+        std::string("/etc/shadow"), std::string("circle")}) {
+    with_table(table);
+    expect_refusal({"explain", study}, "study '" + study + "', line 6: table '" + table +
+                                           "' leads out of the folder of the study: a table lies in it");
+  }
+  for (const char* table : {"sub/rows.csv", "inner/rows.csv", "./sub/../sub/rows.csv"}) {
+    with_table(table);
+    for (const char* folder : {"studies", "elsewhere"})
+      EXPECT_EQ(json_of({"fit", path(std::string(folder) + "/line.toml")})["table"], table);
+  }
+  expect_refusal({"fit", "--table", secret, "--over", "x", "--form", "a x"},
+                 "'" + secret + "' has no column 'x'; it has column 1");
+}
+
+// Two lists of 100000 values, ten thousand definitions: one line, at once.
+TEST_F(StudyFolder, LimitsItsSize) {
+  const std::string many = "the given constants have 1e+10 combinations of values: at most 10000";
+  write("many.toml",
+        replaced(line_study, "[target]", "[given]\nk = \"1:100000:1\"\nm = \"1:100000:1\"\n[target]"));
+  expect_refusal({"explain", path("many.toml")}, "study '" + path("many.toml") + "': " + many);
+  expect_refusal({"fit", path("line.toml"), "--given", "k=1:100000:1", "--given", "m=1:100000:1"}, many);
+  const auto definitions = [](int count) {
+    std::string text = "[let]\n";
+    for (int i = 0; i < count; ++i)
+      text += "f" + std::to_string(i) + " = \"" + (i == 0 ? "1" : "f" + std::to_string(i - 1)) + "\"\n";
+    return text + "[target]";
+  };
+  write("line.toml", replaced(line_study, "[target]", definitions(1000)));
+  EXPECT_EQ(run_command_line({"list", path("line.toml")}).exit_code, 0);
+  write("line.toml", replaced(line_study, "[target]", definitions(1001)));
+  expect_refusal({"list", path("line.toml")},
+                 "study '" + path("line.toml") + "', line 5: let has 1001 definitions: at most 1000");
+  write("line.toml", replaced(
+                         line_study, "[target]", "[let]\nf = { of = [\"" + [] {
+                           std::string names = "t0";
+                           for (int i = 1; i < 17; ++i) names += "\", \"t" + std::to_string(i);
+                           return names;
+                         }() + "\"], is = \"t0\" }\n[target]"));
+  expect_refusal({"list", path("line.toml")},
+                 "study '" + path("line.toml") + "', line 6: let 'f' has 17 arguments: at most 16");
+  write("line.toml", replaced(line_study, "\"0:1\"", "\"-1e308:1e308\""));
+  expect_refusal(
+      {"fit", path("line.toml")},
+      "study '" + path("line.toml") + "', line 4: over 'x=-1e308:1e308' is wider than the largest number");
+}
+
+// A study that is refused does not end what goes over all of them.
+TEST_F(StudyFolder, ABadStudyIsALine) {
+  write("bad.toml", "schema = 2\n");
+  const std::string line =
+      "shadefit: study '" + path("bad.toml") + "', line 1: the key 'schema' must be 1; it is left out\n";
+  const std::string source = directory_.file("a.glsl", "float a = 1.0;\n");
+  const Outcome list = run_command_line({"list", "--studies", path(".")});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_NE(list.out.find("\nline "), std::string::npos);
+  EXPECT_EQ(list.err, replaced(line, path("bad.toml"), path("./bad.toml")));
+  for (const char* format : {"text", "json"}) {
+    const Outcome lint = run_command_line({"lint", source, "--studies", path("."), "--format", format});
+    EXPECT_EQ(lint.exit_code, 0) << lint.out;
+    EXPECT_EQ(lint.err, replaced(line, path("bad.toml"), path("./bad.toml")));
+  }
+  expect_refusal({"explain", "bad", "--studies", path(".")},
+                 "study '" + path("./bad.toml") + "', line 1: the key 'schema' must be 1");
+}
+
 TEST_F(StudyFolder, RefusesBadInput) {
   expect_refusal({"fit", "acos-linaer"},
                  "unknown form, constant or study 'acos-linaer': did you mean 'acos-linear'?");
@@ -188,6 +271,8 @@ TEST_F(StudyFolder, RefusesBadInput) {
     for (const char* verb : {"fit", "better", "explain", "certify"})
       expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "'" + line);
   };
+  refused("id = \"slope\"", "id = \"a'b\"",
+          ", line 11: form id 'a'b' must be letters, digits, '-' and '_', no '-' first");
   refused("a = \"-0.125\"", "c = \"-0.125\"", ": published values of 'line' lack the parameter 'a'");
   refused("b = \"1.0\"", "b = \"1.0\", c = \"1\"",
           ": published value 'c' is not a parameter of the form 'line'");

@@ -235,7 +235,7 @@ TEST(StudyInFormat, SaysWhereAFormIsNoNumber) {
 TEST(StudyInFormat, RoundsTheVariablesOfRows) {
   Study study{.target = "", .form = "a x", .over = {{"x", "", ""}}};
   study.rows = std::make_shared<const MeasuredRows>(
-      MeasuredRows{.file = "rows.csv", .places = {{0.5, 0.1}}, .value = {0.5, 0.1}, .sigma = {}});
+      MeasuredRows{.file = OthersText("rows.csv"), .places = {{0.5, 0.1}}, .value = {0.5, 0.1}, .sigma = {}});
   StudyInFormat<HalfFormat> in_half(read_study(study));
   const double rounded = static_cast<double>(round_to_half(0.1));
   const ErrorInFormat error = in_half.largest_error(std::array{1.0});
@@ -246,7 +246,7 @@ TEST(StudyInFormat, RoundsTheVariablesOfRows) {
 /// a x at three rows whose x are halves: with a = 1 the residuals are -1/8, 1/4 and 1/2.
 Study three_rows() {
   Study study{.target = "", .form = "a x", .over = {{"x", "", ""}}};
-  study.rows = std::make_shared<const MeasuredRows>(MeasuredRows{.file = "rows.csv",
+  study.rows = std::make_shared<const MeasuredRows>(MeasuredRows{.file = OthersText("rows.csv"),
                                                                  .places = {{0.125, 0.5, 1}},
                                                                  .value = {0.25, 0.25, 0.5},
                                                                  .sigma = {0.015625, 0.5, 1}});

@@ -52,9 +52,9 @@ TEST(MeasuredRows, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal_of_rows(std::string("x,value\n1,\0\n", 12)), "'m.csv' is not a text: it has a byte 0");
   EXPECT_EQ(refusal_of_rows("x,value\n"), "'m.csv' has no rows below its header");
   EXPECT_EQ(refusal_of_rows("0,1\n1,2\n"),
-            "'m.csv', line 1: '0' is a number: the first line must name the columns");
+            "'m.csv', line 1: column 1 is a number: the first line must name the columns");
   EXPECT_EQ(refusal_of_rows("x,\n1,2\n"), "'m.csv', line 1: column 2 has no name");
-  EXPECT_EQ(refusal_of_rows("x,value,x\n1,2,3\n"), "'m.csv', line 1: the column 'x' is there twice");
+  EXPECT_EQ(refusal_of_rows("x,value,x\n1,2,3\n"), "'m.csv', line 1: 'x' is there twice");
   EXPECT_EQ(refusal_of_rows("t,value\n1,2\n"), "'m.csv' has no column 'x'; it has 't', 'value'");
   EXPECT_EQ(refusal_of_rows("x,y\n1,2\n"), "'m.csv' has no column 'value'; it has 'x', 'y'");
   EXPECT_EQ(refusal_of_rows("x,value\n1,2\n3\n"), "'m.csv', line 3: has 1 cell, the header has 2");

@@ -37,7 +37,7 @@ TEST(RecomputedRows, AreTheSameOnEachMachine) {
 /// The rows x = 1 .. 100 of x^2.
 Study squares() {
   Study study{.target = "", .form = "a x", .over = {{"x", "", ""}}};
-  MeasuredRows rows{.file = "squares.csv", .places = {{}}, .value = {}, .sigma = {}};
+  MeasuredRows rows{.file = OthersText("squares.csv"), .places = {{}}, .value = {}, .sigma = {}};
   for (int x = 1; x <= 100; ++x) {
     rows.places[0].push_back(x);
     rows.value.push_back(x * x);

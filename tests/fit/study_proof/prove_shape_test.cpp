@@ -243,7 +243,7 @@ TEST(CompareStudy, DropsWhatIsRefuted) {
     file.id = "planted";
     file.study = {.target = target, .form = "", .over = {{"x", "0", "1"}}};
     file.forms = {{"form", form}};
-    file.published = {{.form = "form", .values = {{"a", a}}, .source = "Doe 2020"}};
+    file.published = {{.form = "form", .values = {{"a", a}}, .source = OthersText("Doe 2020")}};
     return text_with_proofs(compare_study(file, file.study).contenders.front().properties);
   };
   const std::string ends = "exact at x = 0 (proven), exact at x = 1 (proven), ";

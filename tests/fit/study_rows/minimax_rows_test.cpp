@@ -30,7 +30,7 @@ Study study_of(const std::string& form, const std::vector<double>& x, const std:
           .form = form,
           .over = {{"x", "", ""}},
           .weight = weight,
-          .rows = std::make_shared<const MeasuredRows>(MeasuredRows{"rows.csv", {x}, value, {}})};
+          .rows = std::make_shared<const MeasuredRows>(MeasuredRows{OthersText("rows.csv"), {x}, value, {}})};
 }
 
 StudyFit rows_fit(const Study& study) {

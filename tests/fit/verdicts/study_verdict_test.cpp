@@ -22,7 +22,7 @@ const Study arc_cosine{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over
 PublishedSet printed(const StudyObjective& objective, int decimals) {
   const StudyFit fit = fit_study(objective);
   if (fit.status != Status::converged) throw UserError(fit.why);
-  PublishedSet set{.form = "form", .values = {}, .source = "a test"};
+  PublishedSet set{.form = "form", .values = {}, .source = OthersText("a test")};
   for (std::size_t i = 0; i < fit.names.size(); ++i)
     set.values.emplace_back(fit.names[i], fmt::format("{:.{}f}", fit.parameters[i], decimals));
   return set;
@@ -199,7 +199,7 @@ TEST(StudyVerdict, FewDigitsDecideNothingUnderTheAskedObjective) {
 // Each objective gives the constants of a target that has the form: no chance.
 TEST(StudyVerdict, TheConstantsOfTheTargetAreConfirmed) {
   const Study line{.target = "0.5 x + 2", .form = "a x + b", .over = {{"x", "0", "1"}}};
-  const PublishedSet set{.form = "form", .values = {{"a", "0.5"}, {"b", "2"}}, .source = "a test"};
+  const PublishedSet set{.form = "form", .values = {{"a", "0.5"}, {"b", "2"}}, .source = OthersText("a test")};
   const StudyJudgement judgement = judge_set(objective_of(line, Norm::least_squares, {}), set);
   EXPECT_EQ(name(judgement.verdict), "confirmed");
   EXPECT_EQ(judgement.chance, 0);

@@ -1,0 +1,118 @@
+#include "reports/io/escape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "reports/io/joined.hpp"
+#include "reports/io/utf8.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A character and what stands for it.
+using Escape = std::pair<char, std::string_view>;
+
+/// The text with the characters of `escapes` replaced, and a backslash before those of `marked`.
+template <std::size_t N>
+std::string with_escapes(std::string_view text, const std::array<Escape, N>& escapes,
+                         std::string_view marked = "") {
+  return joined(text, "", [&](char c) {
+    const auto* found = std::ranges::find(escapes, c, &Escape::first);
+    if (found != escapes.end()) return std::string(found->second);
+    return marked.find(c) == marked.npos ? std::string(1, c) : std::string{'\\', c};
+  });
+}
+
+constexpr std::array<Escape, 4> html_escapes{{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
+
+/// References where GitHub reads more than CommonMark: rows of tables, mathematics and mentions.
+constexpr std::array<Escape, 6> markdown_escapes{
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'|', "&#124;"}, {'$', "&#36;"}, {'@', "&#64;"}}};
+
+/// The default font encoding lacks <, > and | in text. BibTeX counts a brace also behind a backslash.
+constexpr std::array<Escape, 8> latex_escapes{{{'\\', "\\textbackslash{}"},
+                                               {'~', "\\textasciitilde{}"},
+                                               {'^', "\\textasciicircum{}"},
+                                               {'<', "\\textless{}"},
+                                               {'>', "\\textgreater{}"},
+                                               {'|', "\\textbar{}"},
+                                               {'{', "\\textbraceleft{}"},
+                                               {'}', "\\textbraceright{}"}}};
+
+}  // namespace
+
+std::string for_terminal(const OthersText& text) {
+  return printable(text.unescaped());
+}
+
+std::string for_markdown(const OthersText& text) {
+  constexpr std::string_view digits = "0123456789";
+  std::string out = with_escapes(for_terminal(text), markdown_escapes, R"(\`*_[]#~)");
+  // GitHub turns text that looks like an address into a link.
+  for (const std::string_view sign : {"://", "www."}) {
+    for (std::size_t i = 0; (i = out.find(sign, i)) != std::string::npos; i += sign.size())
+      out.replace(i + (sign == "www." ? 3 : 0), 1, sign == "www." ? "&#46;" : "&#58;");
+  }
+  // At the start of a line stand items of lists, underlines of headings and, indented, code.
+  out.erase(0, out.find_first_not_of(' '));
+  const std::size_t sign = std::min(out.find_first_not_of(digits), out.size());
+  const bool is_item = sign < out.size() &&
+                       std::string_view(sign == 0 ? "-+=" : ".)").find(out[sign]) != std::string_view::npos;
+  return is_item ? out.insert(sign, "\\") : out;
+}
+
+std::string for_html(const OthersText& text) {
+  return with_escapes(for_terminal(text), html_escapes);
+}
+
+std::string for_latex(const OthersText& text) {
+  return with_escapes(for_terminal(text), latex_escapes, "&%$#_");
+}
+
+std::string for_gnuplot(const OthersText& text) {
+  return with_escapes(for_terminal(text), std::array<Escape, 0>{}, R"(\^_{}@&~)");
+}
+
+std::string for_comment(const OthersText& text) {
+  std::string out = for_terminal(text);
+  out.erase(out.find_last_not_of(' ') + 1);
+  // A backslash at the end, or its trigraph, takes the next line into the comment.
+  return out.ends_with('\\') || out.ends_with(
+                                    "?"
+                                    "?/")
+             ? out + "."
+             : out;
+}
+
+std::string for_csv(const OthersText& text) {
+  const std::string out = for_terminal(text);
+  const bool is_computed =
+      !out.empty() && std::string_view("=+-@").find(out.front()) != std::string_view::npos;
+  return is_computed ? "'" + out : out;
+}
+
+std::string json_text(const nlohmann::ordered_json& json) {
+  const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  std::string out;
+  const auto add_unit = [&](char32_t unit) { out += fmt::format("\\u{:04x}", static_cast<unsigned>(unit)); };
+  for (std::string_view rest = text; !rest.empty();) {
+    const CodePoint point = first_code_point(rest);
+    const std::size_t length = std::max<std::size_t>(point.length, 1);
+    if (point.value == '\n' || !is_unshown(point.value)) {
+      out += rest.substr(0, length);
+    } else if (point.value <= 0xFFFF) {  // in a text: elsewhere JSON has ASCII, and `dump` escapes controls
+      add_unit(point.value);
+    } else {
+      add_unit(0xD7C0 + (point.value >> 10));
+      add_unit(0xDC00 + (point.value & 0x3FF));
+    }
+    rest.remove_prefix(length);
+  }
+  return out;
+}
+
+}  // namespace shadefit
