@@ -64,8 +64,8 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
                        *file.recompute);
   const WrongRow& first = result.wrong.front();
   throw CheckFailed(fmt::format("line {} of '{}' has {}, where {} is {}: {} of {} recomputed rows {}",
-                                line_of_row(first.row), rows.file, to_text(first.value), *file.recompute,
-                                to_text(first.recomputed), result.wrong.size(), result.drawn,
+                                line_of_row(rows, first.row), rows.file, to_text(first.value),
+                                *file.recompute, to_text(first.recomputed), result.wrong.size(), result.drawn,
                                 result.wrong.size() == 1 ? "differs" : "differ"));
 }
 

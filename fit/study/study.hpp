@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,10 @@ std::vector<std::string> formula_inputs(const ReadStudy& study);
 /// The most variables and the most free parameters of a study.
 inline constexpr std::size_t most_axes = 3;
 inline constexpr std::size_t most_study_parameters = most_fitted;
+
+/// The value of a formula of numbers, such as an end of a range: "cos(pi/6)", "30deg". Empty for any other
+/// text, and where the value is not finite.
+std::optional<double> value_of_numbers(const std::string& text);
 
 /// The density that a word names: `cosine`, `angle` and `cosine-weighted` for a cosine in [0, 1]. Any other
 /// text is a formula already.

@@ -1,5 +1,6 @@
 #include "fit/verdicts/study_objectives.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -7,6 +8,10 @@
 #include <span>
 #include <utility>
 
+#include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
+#include "fit/study/study_problem.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
 
@@ -214,15 +219,15 @@ void append_densities(const StudyObjective& asked, const StudyAxis& axis,
   }
 }
 
-/// Appends minimax that is exact at one end, or at both.
-void append_exact_ends(const StudyObjective& asked, const StudyAxis& axis,
+/// Appends fits that are exact at one end, or at both.
+void append_exact_ends(const StudyObjective& asked, Norm norm, const StudyAxis& axis,
                        std::vector<StudyObjective>& objectives) {
   for (const auto& ends :
        {std::vector{axis.lower}, std::vector{axis.upper}, std::vector{axis.lower, axis.upper}}) {
     for (const Error error : {Error::absolute, Error::relative}) {
       Study study = asked.study;
       study.error = error;
-      StudyObjective objective = objective_of(study, Norm::minimax, {.exact_at = ends});
+      StudyObjective objective = objective_of(study, norm, {.exact_at = ends});
       if (objective.words != asked.words) objectives.push_back(std::move(objective));
     }
   }
@@ -230,11 +235,30 @@ void append_exact_ends(const StudyObjective& asked, const StudyAxis& axis,
 
 }  // namespace
 
+StudyFit errors_of_given(const ReadStudy& study) {
+  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
+  StudyFit given{.names = {}, .parameters = {}, .status = Status::converged};
+  given.rms_error = rms_error(study, StudyError(study), {});
+  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
+  return given;
+}
+
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
+  if (!objective.study.held.empty()) {
+    const ReadStudy formulas = read_formulas(objective.study);
+    if (formulas.parameters.empty()) return errors_of_given(formulas);
+  }
   const ReadStudy read = read_study(objective.study);
-  return objective.norm == Norm::minimax
-             ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-             : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  StudyFit fit =
+      objective.norm == Norm::minimax
+          ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
+          : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
+  if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
+    fit.status = Status::not_finite;
+    fit.why = "a parameter is beyond the range of a double";
+  }
+  return fit;
 }
 
 StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints) {
@@ -285,13 +309,21 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   if (asked.study.rows || variables > 2) return objectives;
   if (variables == 1) {
     append_densities(asked, read.axes.front(), objectives);
-    append_exact_ends(asked, read.axes.front(), objectives);
+    append_exact_ends(asked, Norm::minimax, read.axes.front(), objectives);
     append_samples(asked, read, read.target, usual_samples(read.axes.front()), objectives);
   } else {
     append_densities_of_two(asked, read, objectives);
     append_samples(asked, read, read.target, usual_grids, objectives);
   }
   append_parts(asked, read, objectives);
+  return objectives;
+}
+
+std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked) {
+  std::vector<StudyObjective> objectives;
+  const ReadStudy read = read_study(asked.study);
+  if (asked.study.rows || read.axes.size() > 1) return objectives;
+  append_exact_ends(asked, Norm::least_squares, read.axes.front(), objectives);
   return objectives;
 }
 
