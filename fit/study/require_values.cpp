@@ -63,8 +63,9 @@ std::string reason_of(const Symbolic& formula, const std::function<double(const 
     if (!std::isfinite(value)) return reason_of(part, value_of);
     values.push_back(Symbolic::number(to_text(value)));
   }
-  return ": " + to_text(formula.with_parts(values)) + " is " +
-         decimal(evaluate<double>(formula, value_of), 6) + domain_of(formula);
+  const double value = evaluate<double>(formula, value_of);
+  if (std::isfinite(value)) return "";  // as a double; a node may be wider
+  return ": " + to_text(formula.with_parts(values)) + " is " + decimal(value, 6) + domain_of(formula);
 }
 
 /// The same at a node, by its number.

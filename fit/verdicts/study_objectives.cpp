@@ -14,6 +14,7 @@
 #include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
+#include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {
 namespace {
@@ -219,18 +220,38 @@ void append_densities(const StudyObjective& asked, const StudyAxis& axis,
   }
 }
 
-/// Appends fits that are exact at one end, or at both.
-void append_exact_ends(const StudyObjective& asked, Norm norm, const StudyAxis& axis,
-                       std::vector<StudyObjective>& objectives) {
-  for (const auto& ends :
-       {std::vector{axis.lower}, std::vector{axis.upper}, std::vector{axis.lower, axis.upper}}) {
-    for (const Error error : {Error::absolute, Error::relative}) {
-      Study study = asked.study;
-      study.error = error;
-      StudyObjective objective = objective_of(study, norm, {.exact_at = ends});
-      if (objective.words != asked.words) objectives.push_back(std::move(objective));
-    }
+/// One end of a range, the other, and both.
+std::vector<std::vector<double>> choices_of_ends(const StudyAxis& axis) {
+  return {{axis.lower}, {axis.upper}, {axis.lower, axis.upper}};
+}
+
+/// Appends fits that are exact at these places.
+void append_exact_at(const StudyObjective& asked, Norm norm, const std::vector<double>& places,
+                     std::vector<StudyObjective>& objectives) {
+  for (const Error error : {Error::absolute, Error::relative}) {
+    Study study = asked.study;
+    study.error = error;
+    StudyObjective objective = objective_of(study, norm, {.exact_at = places});
+    if (objective.words != asked.words) objectives.push_back(std::move(objective));
   }
+}
+
+/// Whether a form is its target at a place with these printed constants, as nearly as their last digits
+/// allow. It has to depend on them there.
+bool is_exact_at(const ReadStudy& study, const std::vector<std::string>& printed, double place) {
+  const auto form_with = [&](std::size_t moved) {
+    return evaluate<double>(study.form, [&](const std::string& name) {
+      const auto i =
+          static_cast<std::size_t>(std::ranges::find(study.parameters, name) - study.parameters.begin());
+      if (i == printed.size()) return place;
+      return constant<double>(printed[i]) + (i == moved ? last_unit(printed[i]) : 0);
+    });
+  };
+  const double form = form_with(printed.size());
+  double rounding = 0;
+  for (std::size_t i = 0; i < printed.size(); ++i) rounding += std::abs(form_with(i) - form);
+  const double target = evaluate<double>(study.target, [&](const std::string&) { return place; });
+  return rounding > 0 && std::abs(form - target) <= rounding;
 }
 
 }  // namespace
@@ -309,7 +330,8 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   if (asked.study.rows || variables > 2) return objectives;
   if (variables == 1) {
     append_densities(asked, read.axes.front(), objectives);
-    append_exact_ends(asked, Norm::minimax, read.axes.front(), objectives);
+    for (const auto& ends : choices_of_ends(read.axes.front()))
+      append_exact_at(asked, Norm::minimax, ends, objectives);
     append_samples(asked, read, read.target, usual_samples(read.axes.front()), objectives);
   } else {
     append_densities_of_two(asked, read, objectives);
@@ -319,11 +341,15 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   return objectives;
 }
 
-std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked) {
+std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked,
+                                                const std::vector<std::string>& printed) {
   std::vector<StudyObjective> objectives;
   const ReadStudy read = read_study(asked.study);
   if (asked.study.rows || read.axes.size() > 1) return objectives;
-  append_exact_ends(asked, Norm::least_squares, read.axes.front(), objectives);
+  for (const auto& ends : choices_of_ends(read.axes.front())) {
+    if (std::ranges::all_of(ends, [&](double end) { return is_exact_at(read, printed, end); }))
+      append_exact_at(asked, Norm::least_squares, ends, objectives);
+  }
   return objectives;
 }
 

@@ -45,8 +45,9 @@ std::vector<StudyObjective> plain_objectives(const StudyObjective& asked);
 /// `recompute`.
 std::vector<StudyObjective> other_objectives(const StudyObjective& asked);
 
-/// Least squares that are exact at one end of the range or at both, with each error; empty of rows and of
-/// several variables. They take longest.
-std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked);
+/// Least squares that are exact at one end of the range or at both, with each error, where the form with
+/// these printed constants is; empty of rows and of several variables.
+std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked,
+                                                const std::vector<std::string>& printed);
 
 }  // namespace shadefit

@@ -248,7 +248,7 @@ TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const
     if (is_held_nearby(held, tried.fits, parameters)) is_hit = hits_nearby(held) || is_hit;
   }
   if (is_hit) return tried;
-  for (const StudyObjective& exact : exact_least_squares(asked)) hits_nearby(exact);
+  for (const StudyObjective& exact : exact_least_squares(asked, printed)) hits_nearby(exact);
   return tried;
 }
 
