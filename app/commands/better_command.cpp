@@ -77,7 +77,7 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
 }  // namespace
 
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (const auto study = chosen_study(options))
+  if (const auto study = chosen_study(options, checkpoint))
     return better_study_command(*study, options, checkpoint, progress);
   if (options.id.empty())
     throw UserError(

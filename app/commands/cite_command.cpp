@@ -28,7 +28,7 @@ Outcome cite_command(const CiteOptions& options) {
   if (is_built_in) return {0, out, ""};
   const auto folders = study_folders(options.studies);
   const auto study = find_study(*options.id, folders);
-  for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
+  for (const std::string& id : study_ids(folders)) known.push_back(id);
   if (!study) require_known(*options.id, known, "claim, constant, family or study");
   for (const std::string& entry : bibtex_of_texts(sources_in(*study))) out += "\n" + entry;
   return {0, out, ""};

@@ -133,28 +133,43 @@ CLI::App& named_command(CLI::App& app, const std::string& name) {
   return *app.get_subcommand(name);
 }
 
+/// --range as --over, or as --domain where its value is A:B alone.
+std::vector<std::string> with_range_by_name(std::vector<std::string> arguments, const CLI::App& command) {
+  if (command.get_option_no_throw("--over") == nullptr) return arguments;
+  const std::string name = "--range", with_value = name + "=";
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool has_value = arguments[i].starts_with(with_value);
+    if (!has_value && (arguments[i] != name || i + 1 == arguments.size())) continue;
+    const std::string value = has_value ? arguments[i].substr(with_value.size()) : arguments[i + 1];
+    const bool is_domain = value.find(':') != value.npos && value.find('=') == value.npos;
+    arguments[i].replace(0, name.size(), is_domain ? "--domain" : "--over");
+  }
+  return arguments;
+}
+
 bool asks_for_help(const std::string& argument) {
   return argument == "--help" || argument == "-h";
 }
 
-Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+Outcome parse_and_run(const std::vector<std::string>& given, const Checkpoint& checkpoint,
                       const Progress& progress, const Terminal& terminal) {
   CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
                "shadefit"};
   app.footer("See 'shadefit help COMMAND' for the options and examples of a command.\n");
   Call call{checkpoint, progress, terminal};
   declare_commands(app, call);
-  if (arguments.empty())
-    return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), arguments);
-  const std::string& first = arguments.front();
+  if (given.empty())
+    return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), given);
+  const std::string& first = given.front();
   if (first == "--version") return {0, app.version() + "\n", ""};
-  if (first == "--completion" && arguments.size() == 2) return {0, completion(app, arguments[1]), ""};
+  if (first == "--completion" && given.size() == 2) return {0, completion(app, given[1]), ""};
   const bool is_help = first == "help" || asks_for_help(first);
-  if (is_help && arguments.size() == 1) return {0, help_text(app, app), ""};
-  if (is_help && arguments.size() == 2 && !asks_for_help(arguments[1]))
-    return {0, help_text(app, named_command(app, arguments[1])), ""};
+  if (is_help && given.size() == 1) return {0, help_text(app, app), ""};
+  if (is_help && given.size() == 2 && !asks_for_help(given[1]))
+    return {0, help_text(app, named_command(app, given[1])), ""};
   CLI::App& command = named_command(app, first);
-  if (std::ranges::any_of(arguments, asks_for_help)) return {0, help_text(app, command), ""};
+  if (std::ranges::any_of(given, asks_for_help)) return {0, help_text(app, command), ""};
+  const std::vector<std::string> arguments = with_range_by_name(given, command);
   require_values(command, arguments);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // in reverse, for CLI11
@@ -191,6 +206,21 @@ Outcome unforeseen(const std::exception& error, const std::vector<std::string>& 
                       one_line(error.what()), one_line(shell_text(arguments)))};
 }
 
+/// What failed, in one line: its parts after each other, the first of them if there are many.
+std::string as_one_line(const std::string& lines) {
+  constexpr std::size_t most = 3;
+  constexpr std::string_view start = "shadefit: ";
+  std::istringstream rest(lines);
+  std::string line;
+  std::size_t parts = 0;
+  for (std::string part; std::getline(rest, part); ++parts) {
+    if (parts < most)
+      line += parts == 0 ? part : "; " + part.substr(part.starts_with(start) ? start.size() : 0);
+  }
+  if (parts > most) line += fmt::format("; and {} more", parts - most);
+  return line + "\n";
+}
+
 }  // namespace
 
 Outcome prepare_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
@@ -225,6 +255,7 @@ Outcome put_files(Outcome outcome) {
     outcome.exit_code = 128 + interrupted.signal;
     outcome.err += "shadefit: interrupted before all was written\n";
   }
+  if (outcome.exit_code != 0 && !outcome.err.empty()) outcome.err = as_one_line(outcome.err);
   return outcome;
 }
 

@@ -133,12 +133,36 @@ std::string claim_of(const std::string& id) {
   return id;
 }
 
+/// The options that leave claims out, and with them all studies.
+std::string filters_of(const ListOptions& options) {
+  return (options.verdict ? fmt::format(" --verdict '{}'", name(*options.verdict)) : "") +
+         (options.topic ? fmt::format(" --topic '{}'", *options.topic) : "") +
+         (options.family ? fmt::format(" --family '{}'", *options.family) : "");
+}
+
 /// Keeps the rows whose id contains the text. Throws UserError if none does.
-void keep_only(Table& list, const std::string& text) {
+void keep_only(Table& list, const std::string& text, const ListOptions& options) {
   std::erase_if(list.rows,
                 [&](const auto& row) { return !boost::icontains(std::get<std::string>(row.front()), text); });
-  if (list.rows.empty())
+  if (!list.rows.empty()) return;
+  const std::string filters = filters_of(options);
+  if (filters.empty())
     throw UserError(fmt::format("no id contains '{}': 'shadefit list' prints all ids", text));
+  const std::vector<std::string> studies = study_ids(study_folders(options.studies));
+  const auto study =
+      std::ranges::find_if(studies, [&](const std::string& id) { return boost::icontains(id, text); });
+  throw UserError(fmt::format(
+      "no claim with '{}' in its id passes{}{}", text, filters,
+      study == studies.end() ? "" : fmt::format("; '{0}' is a study: see 'shadefit explain {0}'", *study)));
+}
+
+/// Studies have no place among the results of what is built in.
+void refuse_studies(const RunOptions& options) {
+  const std::vector<std::string> known = known_ids();
+  for (const std::string& id : options.only) {
+    if (std::ranges::find(known, id) == known.end() && find_study(id, study_folders(options.studies)))
+      throw UserError(fmt::format("--only '{0}' is a study: see 'shadefit run {0}'", id));
+  }
 }
 
 }  // namespace
@@ -166,7 +190,7 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
     for (const StudyFile& study : studies.files) add_study(list, study);
     for (const std::string& line : studies.refused) err += fmt::format("shadefit: {}\n", line);
   }
-  if (options.id && !is_file) keep_only(list, *options.id);
+  if (options.id && !is_file) keep_only(list, *options.id, options);
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), err};
   if (options.csv) return {0, write_csv(list, Precision::full), err};
   if (options.latex) return {0, write_latex(list, Precision::report), err};
@@ -198,6 +222,7 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   if (options.study)
     return run_study_command(named_study(*options.study, study_folders(options.studies)), options,
                              checkpoint);
+  refuse_studies(options);
   const OutputFolder folder(options.out);
   const Results results = compute_results(options.only, checkpoint);
   // The report shows only figures with a picture, so these are drawn first.
@@ -243,9 +268,14 @@ Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.study)
-    return check_study_command(named_study(*options.study, study_folders(options.studies)), options,
-                               checkpoint);
+  if (options.study) {
+    const StudyFile study = named_study(*options.study, study_folders(options.studies));
+    if (!options.present.contains("--baseline"))
+      throw UserError(
+          fmt::format("check needs --baseline for a study: DIR of an earlier 'shadefit run {} --out DIR'",
+                      *options.study));
+    return check_study_command(study, options, checkpoint);
+  }
   const Baseline baseline = read_baseline(options.baseline);
   // Reads the baselines of the slow tables too, before anything is computed.
   std::vector<Baseline> slow_baselines;

@@ -9,6 +9,7 @@
 
 #include "app/commands/declare_commands.hpp"
 #include "app/options/fit_arguments.hpp"
+#include "app/studies/find_study.hpp"
 #include "bench/forms/catalogue.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
@@ -21,11 +22,17 @@ using Words = std::vector<std::string>;
 
 /// The possible words of a value, by the name of its type; empty for a number, a file or free text.
 Words words_for(const CLI::App& app, const std::string& type) {
+  const auto with_studies = [](Words words) {
+    const Words studies = study_ids(study_folders({}));
+    words.insert(words.end(), studies.begin(), studies.end());
+    return words;
+  };
   Words words;
-  if (type == "FORM") return ids_with_a_fit();
-  if (type == "CLAIM") return claim_ids();
-  if (type == "ID") return known_ids();
-  if (type == "CITED") return cited_ids();
+  if (type == "FORM") return with_studies(ids_with_a_fit());
+  if (type == "CLAIM") return with_studies(claim_ids());
+  if (type == "ID") return with_studies(known_ids());
+  if (type == "CITED") return with_studies(cited_ids());
+  if (type == "STUDY") return with_studies({});
   if (type == "FAMILY") {
     for (const FittableFamily& family : fittable_families()) words.emplace_back(family.info.id);
   } else if (type == "TARGET") {
@@ -74,7 +81,7 @@ std::string by_cases(const CLI::App& app, const Actions& actions) {
     std::string positional = actions.nothing;
     for (const CLI::Option* option : command->get_options()) {
       if (option->get_positional()) {
-        positional = offer(option->get_type_name());
+        if (positional == actions.nothing) positional = offer(option->get_type_name());
         continue;
       }
       options.push_back("--" + option->get_lnames().front());

@@ -213,8 +213,10 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
     const auto name_of = [](Language language) { return name(language); };
     throw UserError("emit needs --lang: one of " + joined(languages, ", ", name_of));
   }
+  if (options.fit.study.table == "-")
+    throw UserError("--table '-' does not go with emit: the code names its table, for --check");
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
-  const auto study = chosen_study(options.fit);
+  const auto study = chosen_study(options.fit, checkpoint);
   const std::string code =
       study ? study_code(*study, options, checkpoint) : code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};

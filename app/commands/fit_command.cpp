@@ -138,7 +138,8 @@ void require_feasible(const Refit& refit) {
 }  // namespace
 
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (const auto study = chosen_study(options)) return study_command(*study, options, checkpoint, progress);
+  if (const auto study = chosen_study(options, checkpoint))
+    return study_command(*study, options, checkpoint, progress);
   if (options.id.empty())
     throw UserError(
         "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");

@@ -62,7 +62,7 @@ findings::FindingReport certificate_findings(const std::string& file, const std:
 
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress) {
-  if (const auto study = chosen_study(options.fit))
+  if (const auto study = chosen_study(options.fit, checkpoint))
     return certify_study_command(*study, options, checkpoint, progress);
   if (options.fit.id.empty())
     throw UserError(

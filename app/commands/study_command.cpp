@@ -7,6 +7,7 @@
 #include "app/studies/chosen_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_extras.hpp"
 #include "reports/studies/study_figure.hpp"
@@ -23,11 +24,12 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   for (const FittedStudy& study : studies) {
     if (study.fit.status == Status::converged) continue;
     const std::string given = given_text(study.asked());
-    lines += fmt::format("shadefit: the fit{}{} is {}: {}\n", given.empty() ? "" : " of ", given,
+    lines += fmt::format("shadefit: the fit{}{} is {}: {}", given.empty() ? "" : " of ", given,
                          name(study.fit.status), study.fit.why);
     for (std::size_t i = 0; i < study.fit.other.size(); ++i)
-      lines += fmt::format("shadefit: {} = {} or {}\n", study.fit.names[i], to_text(study.fit.parameters[i]),
+      lines += fmt::format(", {} = {} or {}", study.fit.names[i], to_text(study.fit.parameters[i]),
                            to_text(study.fit.other[i]));
+    lines += "\n";
   }
   return lines;
 }
@@ -77,6 +79,11 @@ Table table_for(const std::vector<FittedStudy>& studies, const Terminal& termina
   return with_columns_as_one(table, first, count, "constants", Precision::report);
 }
 
+std::string held_text(const Study& study) {
+  return joined(study.held, ", ",
+                [](const Held& held) { return fmt::format("{} = {}", held.parameter, held.value); });
+}
+
 std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
                          const Terminal& terminal) {
   const StudyFit& first = studies.front().fit;
@@ -86,6 +93,8 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
   for (const FittedStudy& study : studies) text += level_text(study);
   text += uncertainty_block(studies, terminal);
   if (first.status != Status::converged) return text;
+  if (first.names.empty())
+    return text + fmt::format("Nothing was fitted: {} are given.\n", held_text(studies.front().asked()));
   return text + (first.is_global ? "The form is linear in its parameters: the best is global.\n"
                                  : fmt::format("The best of {} starts.\n", first.starts));
 }
@@ -159,7 +168,7 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
     if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
     StudyObjective objective = objective_of(study, file.norm, file.constraints);
     objective.recompute = file.recompute;
-    studies.push_back({objective, read_study(study), fit_study(objective, checkpoint),
+    studies.push_back({objective, read_formulas(study), fit_study(objective, checkpoint),
                        judged_sets(file, objective, checkpoint, next)});
   }
   return studies;

@@ -65,7 +65,7 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
                        for_terminal(rows.file), *file.recompute);
   const WrongRow& first = result.wrong.front();
   throw CheckFailed(fmt::format("line {} of '{}' has {}, where {} is {}: {} of {} recomputed rows {}",
-                                line_of_row(first.row), rows.file.unescaped(), to_text(first.value),
+                                line_of_row(rows, first.row), rows.file.unescaped(), to_text(first.value),
                                 *file.recompute, to_text(first.recomputed), result.wrong.size(), result.drawn,
                                 result.wrong.size() == 1 ? "differs" : "differ"));
 }

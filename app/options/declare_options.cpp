@@ -46,8 +46,10 @@ void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_defa
 }
 
 void add_domain(CLI::App& command, FitOptions& fit) {
-  add_value(command, "--domain", fit.metric.domain, parse_domain, "A:B",
-            "for a built-in family: the range of cosines of the fit and of its errors (default: 0:1)");
+  add_value(
+      command, "--domain", fit.metric.domain, parse_domain, "A:B",
+      "for a built-in family: the range of cosines of the fit and of its errors, for example cos(60deg):1; "
+      "0deg:60deg is the same (default: 0:1)");
 }
 
 /// Adds the options for the surface of a Fresnel form.
@@ -109,19 +111,35 @@ void add_constraints(CLI::App& command, Metric& metric) {
              "the course of a form of your own: falls if it never rises, rises if it never falls");
 }
 
+/// The id of a form, and beside that of a study a word for one of its forms.
+void add_subject(CLI::App& command, FitOptions& options) {
+  command.add_option("id", options.id, form_help)->type_name("FORM");
+  command
+      .add_option("word", options.study.word, "of a study: the id of one of its forms (default: the first)")
+      ->type_name("WORD");
+}
+
 /// Adds the options of a study. Named studies take them too, instead of what the file says.
 void add_study(CLI::App& command, FitOptions& options) {
   add_studies(command, options.studies);
   StudyOptions& study = options.study;
-  add_value(command, "--form", study.form, parse_text, "FORMULA",
-            "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
-            "parameter");
+  add_value(
+      command, "--form", study.form, parse_text, "FORMULA",
+      "a formula of your own to fit to --target, or the id of a form of the study: every name that is not a variable or a constant is a "
+      "parameter");
   add_value(command, "--table", study.table, parse_text, "FILE",
-            "measured rows to fit --form to, instead of a --target: comma-separated values with a header; "
-            "columns named as the variables of --over, value, and, if known, the standard deviation sigma");
-  add_values(command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
-             "a variable of --form and its range, for example x=0:1; DENSITY, a formula, says how much each "
-             "place counts (default: 1); with --table only NAME; up to three times");
+            "measured rows to fit --form to, instead of a --target: values between commas or blanks, with a "
+            "header; columns named as the variables of --over, value, and, if known, the standard deviation "
+            "sigma; - is standard input");
+  add_value(command, "--value", study.value, parse_text, "COLUMN",
+            "the column of --table with the measured values (default: value)");
+  add_values(
+      command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
+      "a variable of --form and its range, for example x=0:1 or t=0deg:30deg; DENSITY, a formula, says how much each "
+      "place counts (default: 1); with --table only NAME; up to three times");
+  // The command line reads it as one of these (app/commands/command_line.cpp).
+  add_value(command, "--range", study.range, parse_text, "NAME=A:B|A:B",
+            "another name of --over, and with A:B alone of --domain");
   add_values(command, "--given", study.given, parse_given, "NAME=LIST",
              "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
@@ -197,7 +215,7 @@ void declare_run(CLI::App& run, RunOptions& options) {
 }
 
 void declare_fit(CLI::App& fit, FitOptions& options) {
-  fit.add_option("id", options.id, form_help)->type_name("FORM");
+  add_subject(fit, options);
   add_exponent(fit, options, "those for which the source printed a number");
   add_metric(fit, options);
   add_target_or_formula(fit, options, "schlick");
@@ -223,7 +241,7 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
 }
 
 void declare_better(CLI::App& better, FitOptions& options) {
-  better.add_option("id", options.id, form_help)->type_name("FORM");
+  add_subject(better, options);
   add_exponent(
       better, options,
       "the lowest and the highest for which the number was published, or of the family's usual range");
@@ -239,7 +257,7 @@ void declare_better(CLI::App& better, FitOptions& options) {
 }
 
 void declare_certify(CLI::App& certify, CertifyOptions& options) {
-  certify.add_option("id", options.fit.id, form_help)->type_name("FORM");
+  add_subject(certify, options.fit);
   add_exponent(certify, options.fit, "those for which the source printed a number");
   add_metric(certify, options.fit);
   add_target_or_formula(certify, options.fit, "schlick");
@@ -269,7 +287,7 @@ void declare_verify(CLI::App& verify, VerifyOptions& options) {
 /// Generated files list the options in this order.
 void declare_emit(CLI::App& emit, EmitOptions& options) {
   // With --check the file names its command.
-  emit.add_option("id", options.fit.id, form_help)->type_name("FORM");
+  add_subject(emit, options.fit);
   add_choice(emit, "--lang", options.language, by_name(languages), "the language of the code");
   add_exponent(emit, options.fit, "those for which the source printed a number");
   add_value(emit, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "app/options/finding_format.hpp"
 #include "fit/proof/bound_width.hpp"
 #include "fit/proof/certificate.hpp"
+#include "fit/study/study.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/lines.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -22,6 +27,18 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   const auto equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) return std::nullopt;
   return std::pair(text.substr(0, equals), text.substr(equals + 1));
+}
+
+bool is_in_degrees(std::string_view text) {
+  return trimmed(text).ends_with("deg");
+}
+
+/// An end of a domain of cosines: a number, a formula of numbers, or in degrees an angle.
+std::optional<double> cosine_of(const std::string& text) {
+  if (const auto number = parse_number(text)) return number;
+  const auto value = value_of_numbers(is_in_degrees(text) ? "cos(" + text + ")" : text);
+  constexpr double rounding = 1e-40;  // of 50 digits: cos(90deg) is 0
+  return value && std::abs(*value) < rounding ? 0 : value;
 }
 
 }  // namespace
@@ -84,10 +101,11 @@ Domain parse_domain(const std::string& option, const std::string& text) {
     throw UserError(fmt::format("{} '{}' {}", option, text, rule));
   };
   const auto colon = text.find(':');
-  const auto lower = parse_number(std::string_view(text).substr(0, colon));
-  const auto upper =
-      colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
-  if (!lower || !upper) refuse("is not a pair A:B of finite numbers");
+  const std::string first = text.substr(0, colon), second = colon == text.npos ? "" : text.substr(colon + 1);
+  auto lower = cosine_of(first), upper = cosine_of(second);
+  if (!lower || !upper) refuse("is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
+  // The cosine falls as the angle rises.
+  if (is_in_degrees(first) && is_in_degrees(second)) std::swap(lower, upper);
   if (!(*lower < *upper)) refuse("is empty or reversed: A must be less than B");
   if (*lower < 0 || *upper > 1) refuse("is not inside 0:1: A and B are cosines");
   if (*upper - *lower < narrowest_domain)
@@ -106,7 +124,8 @@ double parse_f0(const std::string& option, const std::string& text) {
 
 Held parse_held(const std::string& option, const std::string& text) {
   const auto parts = split(text);
-  const auto value = parts ? parse_number(parts->second) : std::nullopt;
+  auto value = parts ? parse_number(parts->second) : std::nullopt;
+  if (parts && !value) value = parse_hex(parts->second);
   if (!value) throw UserError(fmt::format("{} '{}' is not NAME=VALUE with a finite number", option, text));
   return {parts->first, *value};
 }

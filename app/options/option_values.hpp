@@ -97,13 +97,14 @@ int parse_whole(const std::string& option, const std::string& text, int least, i
 /// "5", or a sweep "3:15:1,25".
 std::vector<double> parse_exponents(const std::string& option, const std::string& text);
 
-/// "A:B" with 0 <= A < B <= 1, at least 1e-10 wide.
+/// "A:B" with 0 <= A < B <= 1, at least 1e-10 wide. A and B are formulas of numbers. In degrees they are
+/// angles, "0deg:30deg", whose cosines count.
 Domain parse_domain(const std::string& option, const std::string& text);
 
 /// A reflectance at normal incidence, at least 0 and below 1: at 1 nothing would be left to fit.
 double parse_f0(const std::string& option, const std::string& text);
 
-/// "NAME=VALUE" with a finite number.
+/// "NAME=VALUE" with a finite number, decimal or hexadecimal as shadefit prints it.
 Held parse_held(const std::string& option, const std::string& text);
 
 /// "a=-5.55473,b=-6.98316"; the values stay texts, as a proof needs every digit.

@@ -130,6 +130,7 @@ struct CheckOptions {
   bool all = false;                       ///< also the slow tables
   std::optional<double> fail_above = {};  ///< the relative change that a number may have; empty: none
   FindingFormat format = FindingFormat::text;
+  std::set<std::string> present = {};  ///< the options on the command line
   Terminal terminal = {};
 };
 

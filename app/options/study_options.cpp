@@ -1,6 +1,7 @@
 #include "app/options/study_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -41,6 +42,11 @@ std::vector<std::string> parts_of(const std::string& text, char separator, std::
 }  // namespace
 
 StudyRange parse_over(const std::string& option, const std::string& text) {
+  if (const auto several = parts_of(text, ',', text.size() + 1); several.size() > 1)
+    throw UserError(fmt::format("{0} '{1}' names several variables: say {0} {2}", option, text,
+                                fmt::join(several, " " + option + " ")));
+  if (text.find('=') == std::string::npos && text.find(':') != std::string::npos)
+    throw UserError(fmt::format("{0} '{1}' names no variable: say {0} x={1}", option, text));
   if (text.find('=') == std::string::npos) return {std::string(trimmed(text)), "", ""};
   constexpr const char* rule = "NAME=A:B or NAME=A:B:DENSITY";
   const auto [name, range] = halves(option, text, rule);

@@ -13,8 +13,11 @@ namespace shadefit {
 struct StudyOptions {
   std::optional<std::string> form = {};  ///< empty: the command is about a built-in family
   std::string target = {};
-  std::string table = {};  ///< a file of rows, instead of a target
+  std::optional<std::string> word = {};  ///< the id of a form, beside that of its study
+  std::string table = {};                ///< a file of rows, instead of a target
+  std::string value = "value";           ///< the column of the measured values
   std::vector<StudyRange> over = {};
+  std::string range = {};  ///< never set: the command line reads --range as --over or --domain
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyDefinition> definitions = {};
   std::vector<Held> starts = {};

@@ -6,7 +6,9 @@
 
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
+#include "fit/formula/formula_text.hpp"
 #include "fit/run/results.hpp"
+#include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -25,7 +27,9 @@ void require_family_options(const FitOptions& options) {
     throw UserError(
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
+  if (study.word) throw UserError(fmt::format("'{}' has one form: leave '{}' out", options.id, *study.word));
   const char* option = !study.table.empty()                  ? "--table"
+                       : options.present.contains("--value") ? "--value"
                        : !study.over.empty()                 ? "--over"
                        : !study.given.empty()                ? "--given"
                        : !study.definitions.empty()          ? "--let"
@@ -48,7 +52,7 @@ void refuse_others(const FitOptions& options, const std::string& with) {
            : options.extinction ? "--extinction"
                                 : "--f0",
            "write the reflectance of the surface as the --target");
-  if (options.present.contains("--domain")) refuse("--domain", "give the range by --over");
+  if (options.present.contains("--domain")) refuse("--domain", "give the range by --over, for example x=0:1");
   if (options.present.contains("--measure")) refuse("--measure", "give the density by --over x=0:1:angle");
 }
 
@@ -89,9 +93,27 @@ void require_use(const StudyFile& file, const StudyOptions& options) {
   }
 }
 
-/// --form names a form of the study, or is a formula of its own.
-void change_form(StudyFile& file, const std::string& form) {
+/// Whether a text beside a study can only be meant as the id of a form: a formula has a variable or an
+/// operator.
+bool is_word(const std::string& text, const Study& study) {
+  const auto is_letter = [](char c) { return begins_name(c) || is_digit(c) || c == '-'; };
+  if (text.empty() || !begins_name(text.front()) || !std::ranges::all_of(text, is_letter)) return false;
+  return std::ranges::none_of(names_in(text), [&](const std::string& name) {
+    return std::ranges::find(study.over, name, &StudyRange::variable) != study.over.end();
+  });
+}
+
+/// --form, or a word beside the study, names a form of it. --form may be a formula of its own instead.
+void change_form(StudyFile& file, const StudyOptions& own) {
+  const std::string& form = own.word ? *own.word : *own.form;
+  if (own.word && own.form)
+    throw UserError(fmt::format("'{}' does not go with --form: both name a form", form));
   const auto found = std::ranges::find(file.forms, form, &StudyForm::id);
+  if (!file.id.empty() && (own.word || is_word(form, file.study))) {
+    std::vector<std::string> ids;
+    for (const StudyForm& known : file.forms) ids.push_back(known.id);
+    require_known(form, ids, "form of the study");
+  }
   file.forms = {found == file.forms.end() ? StudyForm{"form", form} : *found};
   std::erase_if(file.published, [&](const PublishedSet& set) { return set.form != file.forms.front().id; });
 }
@@ -128,7 +150,7 @@ void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
 
 }  // namespace
 
-std::optional<StudyFile> chosen_study(const FitOptions& options) {
+std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoint& checkpoint) {
   const StudyOptions& own = options.study;
   if (options.id.empty() && !own.form) {
     require_family_options(options);
@@ -146,7 +168,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
     auto found = find_study(options.id, folders);
     if (!found) {
       std::vector<std::string> known = ids_with_a_fit();
-      for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
+      for (const std::string& id : study_ids(folders)) known.push_back(id);
       require_known(options.id, known, "form, constant or study");
     }
     file = *std::move(found);
@@ -160,7 +182,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
   }
   if (file.study.target.empty() && file.study.rows == nullptr && own.table.empty())
     throw UserError("--form needs a --target, the formula to approximate, or a --table of measured rows");
-  if (own.form) change_form(file, *own.form);
+  if (own.form || own.word) change_form(file, own);
   if (!own.over.empty()) file.study.over = own.over;
   change_given(file, own);
   auto& definitions = file.study.definitions;
@@ -169,7 +191,13 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
   file.study.starts = own.starts;
   file.study.parameters = own.parameters;
   change_metric(file, options);
-  if (!own.table.empty()) load_rows(file, own.table);
+  if (own.table == "-") {
+    take_rows(file, read_standard_input(most_row_bytes, checkpoint), "standard input", own.value);
+  } else if (!own.table.empty()) {
+    take_rows(file, read_bounded(own.table, most_row_bytes), own.table, own.value);
+  } else if (options.present.contains("--value")) {
+    throw UserError(fmt::format("--value '{}' belongs to --table: it names its column", own.value));
+  }
   require_fitting_parts(file, options);
   require_use(file, own);
   return file;

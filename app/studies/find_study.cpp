@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "fit/run/results.hpp"
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
@@ -74,12 +75,6 @@ bool before(const fs::path& a, const fs::path& b) {
   return a.stem() < b.stem();
 }
 
-std::vector<std::string> ids_in(const std::vector<fs::path>& files) {
-  std::vector<std::string> ids;
-  for (const fs::path& file : files) ids.push_back(file.stem().string());
-  return ids;
-}
-
 }  // namespace
 
 std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form) {
@@ -127,11 +122,18 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
   return files;
 }
 
-void load_rows(StudyFile& file, const fs::path& table) {
+std::vector<std::string> study_ids(const std::vector<fs::path>& folders) {
+  std::vector<std::string> ids;
+  for (const fs::path& file : study_files(folders)) ids.push_back(file.stem().string());
+  return ids;
+}
+
+void take_rows(StudyFile& file, const std::string& text, const std::string& table,
+               const std::string& measured) {
   std::vector<std::string> variables;
   for (const StudyRange& range : file.study.over) variables.push_back(range.variable);
-  const std::string text = read_bounded(table, most_row_bytes);
-  file.study.rows = std::make_shared<const MeasuredRows>(read_measured_rows(text, table.string(), variables));
+  file.study.rows =
+      std::make_shared<const MeasuredRows>(read_measured_rows(text, table, variables, measured));
   if (file.study.rows->sigma.empty() || file.has_weight) return;
   if (file.study.error == Error::relative)
     throw UserError(
@@ -142,7 +144,8 @@ void load_rows(StudyFile& file, const fs::path& table) {
 StudyFile load_study(const fs::path& path) {
   StudyFile file = read_study_file(read_bounded(path, most_study_bytes), path.string());
   if (!file.table.empty()) {
-    load_rows(file, table_of(path, file));
+    const fs::path table = table_of(path, file);
+    take_rows(file, read_bounded(table, most_row_bytes), table.string(), "value");
     // What is printed names the file as the study does, wherever the study lies.
     MeasuredRows rows = *file.study.rows;
     rows.file = file.table;
@@ -174,7 +177,10 @@ std::optional<StudyFile> find_study(const std::string& name, const std::vector<f
 
 StudyFile named_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (auto found = find_study(name, folders)) return *std::move(found);
-  require_known(name, ids_in(study_files(folders)), "study");
+  const std::vector<std::string> built_in = known_ids();
+  if (std::ranges::find(built_in, name) != built_in.end())
+    throw UserError(fmt::format("'{0}' is built in, no study: see 'shadefit run --only {0}'", name));
+  require_known(name, study_ids(folders), "study");
   return {};
 }
 
@@ -188,7 +194,7 @@ std::vector<fs::path> chosen_studies(const std::vector<std::string>& names,
       chosen.emplace_back(name);
       continue;
     }
-    require_known(name, ids_in(all), "study");
+    require_known(name, study_ids(folders), "study");
     chosen.push_back(*std::ranges::find_if(all, [&](const fs::path& p) { return p.stem() == name; }));
   }
   std::ranges::stable_sort(chosen, before);

@@ -19,6 +19,9 @@ std::vector<std::filesystem::path> study_folders(const std::vector<std::string>&
 /// The files NAME.toml of these folders, by rising name. A name that a folder before has is left out.
 std::vector<std::filesystem::path> study_files(const std::vector<std::filesystem::path>& folders);
 
+/// The ids of the studies in these folders, rising.
+std::vector<std::string> study_ids(const std::vector<std::filesystem::path>& folders);
+
 /// The study that an argument names: a file whose name ends with .toml, or the id of a file in the folders.
 /// Empty if there is no such id. Throws UserError for a file that is missing, too large or not a study.
 std::optional<StudyFile> find_study(const std::string& name,
@@ -47,10 +50,11 @@ struct LoadedStudies {
 /// Reads studies for a verb that goes over all of them: one that is refused does not end it.
 LoadedStudies load_studies(const std::vector<std::filesystem::path>& paths);
 
-/// Reads the measured rows of a study from a file of comma-separated values. Where they have `sigma` and the
-/// study has no weight, the weight becomes 1/sigma. Throws UserError like `read_measured_rows`, and for a
-/// relative error with such a weight.
-void load_rows(StudyFile& file, const std::filesystem::path& table);
+/// Reads the measured rows of a study from the text of a file; `measured` is the column of their values.
+/// Where they have `sigma` and the study has no weight, the weight becomes 1/sigma. Throws UserError like
+/// `read_measured_rows`, and for a relative error with such a weight.
+void take_rows(StudyFile& file, const std::string& text, const std::string& table,
+               const std::string& measured);
 
 /// A fault of a formula in a file: its line and key instead of an option, ", line 6: target: formula
 /// .."; the key alone, if the line is not known. `form` is the id of the form that was read.

@@ -1,13 +1,37 @@
 #include "fit/formula/formula_text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <stdexcept>
+
+#include "fit/support/hex_float.hpp"
 
 namespace shadefit {
 namespace {
 
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// How many letters of a text are a hexadecimal double such as 0x1.8p+3; 0 if it does not begin with one.
+std::size_t length_of_hexadecimal(std::string_view text) {
+  const std::size_t mark =
+      text.starts_with("0x") ? text.find_first_not_of("0123456789abcdef.", 2) : text.npos;
+  if (mark == text.npos || mark == 2 || text[mark] != 'p' || text.find_first_of("+-", mark) != mark + 1)
+    return 0;
+  const std::size_t first = mark + 2,
+                    end = std::min(text.find_first_not_of("0123456789", first), text.size());
+  return end > first ? end : 0;
+}
+
+/// Every digit of a double: each is a finite decimal number.
+std::string exact_decimal(double value) {
+  constexpr int most_digits = 767;
+  std::array<char, most_digits + 400> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 std::chars_format::general, most_digits);
+  return {digits.data(), end.ptr};
 }
 
 }  // namespace
@@ -62,6 +86,12 @@ std::string_view FormulaText::name() {
 
 std::string FormulaText::number() {
   const std::size_t start = place_;
+  if (const std::size_t length = length_of_hexadecimal(text_.substr(place_)); length > 0) {
+    const auto exact = parse_hex(text_.substr(place_, length));
+    if (!exact) fail("a hexadecimal double as shadefit prints it, such as 0x1.8p+3", start);
+    place_ += length;
+    return exact_decimal(*exact);
+  }
   const auto digits = [&] {
     const std::size_t first = place_;
     while (is_digit(next())) ++place_;
@@ -94,6 +124,20 @@ std::string FormulaText::number() {
     fail("a point before the suffix, " + decimal + ".0" + suffix + ", or a '*'", start);
   if (has_suffix) ++place_;
   return decimal;
+}
+
+std::optional<std::size_t> FormulaText::statement() const {
+  const auto is_at = [&](std::size_t i, std::string_view letters) {
+    return i < text_.size() && letters.find(text_[i]) != letters.npos;
+  };
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    const bool is_word = i == 0 || !(begins_name(text_[i - 1]) || is_digit(text_[i - 1]));
+    const bool returns = is_word && text_.substr(i).starts_with("return") && is_at(i + 6, " (;");
+    const bool sets = text_[i] == '=' && !is_at(i + 1, "=") && !(i > 0 && is_at(i - 1, "=<>!"));
+    const bool ends = text_[i] == ';' && text_.find_first_not_of(" \t\r\n;", i) != text_.npos;
+    if (returns || sets || ends) return i;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> names_in(std::string_view text) {

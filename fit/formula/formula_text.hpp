@@ -50,8 +50,14 @@ class FormulaText {
   std::string_view name();
 
   /// The decimal text of a number is kept, with a digit on both sides of its point. The suffix of a float or
-  /// a half is left out.
+  /// a half is left out. A hexadecimal double as `hex_text` prints it becomes all its decimal digits.
   std::string number();
+
+  /// Moves behind the sign of a power, `^` or `**`.
+  bool skip_power() { return skip('^') || skip("**"); }
+
+  /// Where the text is not an expression: at a `return`, a `=`, or a `;` that is not at its end.
+  std::optional<std::size_t> statement() const;
 
   /// The place of the comma or parenthesis that ends an argument.
   std::size_t end_of_argument() const;

@@ -48,6 +48,8 @@ class FormulaReader {
   FormulaReader(std::string_view text, const FormulaNames& names) : text_(text), names_(names) {}
 
   ReadFormula whole() {
+    if (const auto place = text_.statement())
+      text_.fail("one expression, not statements (a definition, as of --let, can name a part)", place);
     const Symbolic result = limited(formula());
     text_.skip(';');
     if (!text_.is_at_end()) text_.fail("an operator or the end");
@@ -158,7 +160,6 @@ class FormulaReader {
       const Symbolic left = number_of(result, start);
       const bool divides = text_.peek() == '/';
       text_.go_to(text_.place() + 1);
-      if (!divides && text_.next() == '*') text_.fail("'^' for a power, not '**'", text_.place() - 1);
       const Symbolic right = factor();
       if (divides && text_.begins_atom()) text_.fail("parentheses around the quotient or its denominator");
       result = limited(divides ? left / right : beside(left * right));
@@ -193,13 +194,13 @@ class FormulaReader {
   Operand raised_atom() {
     const std::size_t start = text_.place();
     const Operand atom_ = atom();
-    if (!text_.skip('^')) return atom_;
+    if (!text_.skip_power()) return atom_;
     const Symbolic base = number_of(atom_, start);
     const bool is_negative = text_.skip('-');
     if (is_negative && !is_digit(text_.peek())) text_.fail("a number, or parentheses around the exponent");
     const std::size_t next = text_.place();
     const Symbolic exponent = number_of(atom(), next);
-    if (text_.peek() == '^') text_.fail("parentheses around one of the powers");
+    if (begins_power()) text_.fail("parentheses around one of the powers");
     const bool is_whole = exponent.kind() == Symbolic::Kind::number &&
                           std::all_of(exponent.name().begin(), exponent.name().end(), is_digit);
     const Symbolic result = raised(base, is_negative ? -exponent : exponent);
@@ -207,6 +208,8 @@ class FormulaReader {
       text_.fail("a smaller whole exponent", next);
     return result;
   }
+
+  bool begins_power() { return text_.peek() == '^' || (text_.peek() == '*' && text_.next(1) == '*'); }
 
   Operand atom() {
     Operand result = bare_atom();
@@ -218,6 +221,7 @@ class FormulaReader {
     if (text_.begins_number()) return number();
     if (begins_name(text_.peek())) return named();
     if (skip_cast()) return cast();
+    refuse_bars();
     if (!text_.skip('(')) text_.fail("a number, a name or '('");
     Operand inner = any_formula();
     text_.expect(')');
@@ -271,13 +275,14 @@ class FormulaReader {
     const bool is_signed = text_.skip_minus();
     const std::size_t start = text_.place();
     const Symbolic value = number_of(atom(), start);
-    if (is_signed && text_.peek() == '^') text_.fail("parentheses around the base of the power");
+    if (is_signed && begins_power()) text_.fail("parentheses around the base of the power");
     --depth_;
     return is_signed ? -value : value;
   }
 
   /// Says by name what shaders write behind a value and formulas do not have.
   void refuse_what_follows() {
+    refuse_bars();
     if (text_.peek() == '%')
       text_.fail("an operator or the end, not '%' (it is not part of the language: mod and fmod are)");
     if (text_.peek() != '.' || !begins_name(text_.next(1))) return;
@@ -286,6 +291,30 @@ class FormulaReader {
     text_.fail("an operator or the end, not '." + std::string(text_.name()) +
                    "' (swizzles and members are not part of the language)",
                start);
+  }
+
+  /// A magnitude as mathematicians write it.
+  void refuse_bars() {
+    if (text_.peek() == '|' && text_.next(1) != '|') text_.fail("abs(x) for |x|, not '|'");
+  }
+
+  /// Names of mathematics that formulas do not have. In a form they would silently be parameters.
+  void refuse_name_of_mathematics(std::string_view name, std::size_t start) {
+    const auto& listed = names_.parameters;
+    if (std::find(listed.begin(), listed.end(), name) != listed.end()) return;
+    if (name == "ln") text_.fail("log for the natural logarithm, not 'ln'", start);
+    if (name == "e" && (!names_.takes_parameters || begins_exponential()))
+      text_.fail("exp(x) for e^x, not 'e'", start);
+  }
+
+  /// Whether a power follows whose exponent is not a number. A parameter e may have a square.
+  bool begins_exponential() {
+    const std::size_t start = text_.place();
+    const bool is_power = text_.skip_power();
+    text_.skip('-');
+    const bool has_number = text_.begins_number();
+    text_.go_to(start);
+    return is_power && !has_number;
   }
 
   [[noreturn]] void refuse_vector(std::string_view name, std::size_t start) const {
@@ -302,7 +331,11 @@ class FormulaReader {
     if (const auto found = names_.definitions.find(name); found != names_.definitions.end())
       return use(found->first, found->second);
     if (const auto constant = named_constant(name)) return *constant;
-    if (name == "std" && text_.skip("::")) return function_of_std();
+    if (name == "std" && text_.skip("::")) return behind("std::");
+    if (is_python_module(name) && text_.next() == '.' && begins_name(text_.next(1))) {
+      text_.skip('.');
+      return behind(std::string(name) + ".");
+    }
     if (!argument_counts(name).empty()) return call_of(name, start);
     if (name == "integral" && is_before_parenthesis && names_.takes_integrals) return integral_of(start);
     if (const Truth* truth = find_truth(name); truth && is_before_parenthesis && names_.takes_integrals)
@@ -311,6 +344,7 @@ class FormulaReader {
     if (std::find(past_.begin(), past_.end(), name) != past_.end())
       text_.fail("'" + std::string(name) + "' inside its integral alone", start);
     if (is_before_parenthesis && is_of_vectors(name)) refuse_vector(name, start);
+    refuse_name_of_mathematics(name, start);
     if (may_be_parameter(name) && !(is_before_parenthesis && name.size() > 1)) {
       if (std::find(parameters_.begin(), parameters_.end(), name) == parameters_.end())
         parameters_.emplace_back(name);
@@ -333,13 +367,17 @@ class FormulaReader {
     return call(function, given);
   }
 
-  /// The function behind `std::`.
-  Symbolic function_of_std() {
+  /// The function or the number behind `std::`, `np.` and the like.
+  Symbolic behind(const std::string& prefix) {
     text_.peek();
     const std::size_t start = text_.place();
-    const std::string_view name = text_.name();
+    std::string_view name = text_.name();
+    if (prefix != "std::") {
+      name = name_for_numpy(name);
+      if (const auto constant = named_constant(name)) return *constant;
+    }
     if (argument_counts(name).empty())
-      text_.fail("a function after 'std::', not '" + std::string(name) + "'" +
+      text_.fail("a function after '" + prefix + "', not '" + std::string(name) + "'" +
                      did_you_mean(nearest_name(name, function_names())),
                  start);
     return call_of(name, start);

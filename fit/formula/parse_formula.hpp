@@ -43,7 +43,8 @@ struct ReadFormula {
 ///   sum        [-] quotient, then any number of `+ quotient` and `- quotient`
 ///   quotient   product, then `/ power` and `* power`, from the left
 ///   product    powers by `*` or side by side: "8 pi (a + 2)"
-///   power      atom, or atom ^ exponent; an exponent is an atom or a signed number; after an operator a sign
+///   power      atom, or atom ^ exponent, or atom ** exponent; an exponent is an atom or a signed number;
+///   after an operator a sign
 ///              may stand before it
 ///   atom       a number (2, .5, 1e-3, 2.4f), pi, ln2, a name, a call, or a formula in parentheses; a cast
 ///   such
@@ -55,7 +56,8 @@ struct ReadFormula {
 /// A text that people read in two ways is refused: "1/2 pi", "a^b^c" and "2 3" need parentheses or a `*`;
 /// "2f" is refused too. In "2u", u is a variable or a definition if there is one of that name, else the
 /// suffix of an integer; a form, where it may be a parameter too, is refused. A `;` may stand at the end, and
-/// `std::` before a function. Vectors, swizzles and `%` are refused by name.
+/// `std::`, `np.`, `numpy.` or `math.` before a function. Vectors, swizzles, `%`, statements, and what
+/// mathematicians write (ln, e^x, |x|) are refused by name.
 ///
 /// Spaces, tabs and ends of lines separate. A name is a letter or underscore, then letters, digits and
 /// underscores. A name directly before a parenthesis is a call if it is a function, else a factor. A formula

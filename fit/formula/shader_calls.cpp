@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 #include "approx/scalar.hpp"
 #include "fit/scalars/functions.hpp"
@@ -122,8 +123,27 @@ std::vector<std::size_t> counts_of_exact(std::string_view name) {
   return counts;
 }
 
-/// The name without the f of C's functions on floats: `cosf` is `cos`.
-std::string_view without_suffix(std::string_view name) {
+using OtherName = std::pair<std::string_view, std::string_view>;
+
+constexpr std::array other_names{OtherName{"arccos", "acos"},   OtherName{"arcsin", "asin"},
+                                 OtherName{"arctan", "atan"},   OtherName{"arctan2", "atan2"},
+                                 OtherName{"arccosh", "acosh"}, OtherName{"arcsinh", "asinh"},
+                                 OtherName{"arctanh", "atanh"}};
+
+/// Names that alone might be parameters.
+constexpr std::array names_of_numpy{
+    OtherName{"power", "pow"},       OtherName{"absolute", "abs"},   OtherName{"maximum", "max"},
+    OtherName{"minimum", "min"},     OtherName{"clip", "clamp"},     OtherName{"deg2rad", "radians"},
+    OtherName{"rad2deg", "degrees"}, OtherName{"reciprocal", "rcp"}, OtherName{"e", "M_E"}};
+
+std::string_view named_otherwise(std::span<const OtherName> names, std::string_view name) {
+  const auto found = std::ranges::find(names, name, &OtherName::first);
+  return found == names.end() ? name : found->second;
+}
+
+/// The name without the f of C's functions on floats: `cosf` is `cos`; and `arccos` is `acos`.
+std::string_view without_suffix(std::string_view given) {
+  const std::string_view name = named_otherwise(other_names, given);
   const bool has_suffix = name.size() > 1 && name.back() == 'f' && counts_of_exact(name).empty();
   return has_suffix ? name.substr(0, name.size() - 1) : name;
 }
@@ -173,6 +193,14 @@ bool is_of_vectors(std::string_view name) {
                                                    "mat",    "dmat", "half", "float", "int",
                                                    "double", "uint", "bool", "fixed"};
   return std::find(types.begin(), types.end(), name) != types.end();
+}
+
+bool is_python_module(std::string_view name) {
+  return name == "np" || name == "numpy" || name == "math";
+}
+
+std::string_view name_for_numpy(std::string_view name) {
+  return named_otherwise(names_of_numpy, name);
 }
 
 bool is_real_type(std::string_view name) {

@@ -10,10 +10,10 @@
 #include "fit/scalars/symbolic.hpp"
 
 /// Calls of functions as GLSL, HLSL and C write them, expressed in the vocabulary: `clamp(x, a, b)` is
-/// `min(max(x, a), b)`, `cosf` is `cos`, `fabs` is `abs`, `atan(y, x)` is `atan2(y, x)`. Definitions:
-/// Khronos, "The OpenGL Shading Language 4.60", chapter 8. `mod` rounds the quotient down, `fmod` rounds it
-/// towards zero, as C does. `round` takes halves away from zero, as C does; GLSL leaves them open, and HLSL
-/// takes the even number.
+/// `min(max(x, a), b)`, `cosf` and `arccos` are `cos` and `acos`, `fabs` is `abs`, `atan(y, x)` is `atan2(y,
+/// x)`. Definitions: Khronos, "The OpenGL Shading Language 4.60", chapter 8. `mod` rounds the quotient down,
+/// `fmod` rounds it towards zero, as C does. `round` takes halves away from zero, as C does; GLSL leaves them
+/// open, and HLSL takes the even number.
 namespace shadefit {
 
 /// The names of all functions, without the suffix f of C.
@@ -29,6 +29,12 @@ bool is_of_vectors(std::string_view name);
 
 /// The types that a cast to a real number names: `(float)x` is x.
 bool is_real_type(std::string_view name);
+
+/// Whether a name is a module of Python whose functions are read: np, numpy or math.
+bool is_python_module(std::string_view name);
+
+/// Our name for a name of these modules: `clip` is clamp, `e` is M_E. Any other is itself.
+std::string_view name_for_numpy(std::string_view name);
 
 /// The numbers of arguments that a function takes, in rising order; empty if there is no such function.
 std::vector<std::size_t> argument_counts(std::string_view function);

@@ -37,11 +37,13 @@ class RowReader {
     // A byte 0 would cut a message off, and no text has one.
     if (rest_.find('\0') != std::string_view::npos)
       throw UserError(file_ + " is not a text: it has a byte 0");
-    columns_ = next_cells();
+    columns_ = header();
+    header_ = line_;
     for (std::size_t i = 0; i < columns_.size(); ++i) require_column_name(i);
   }
 
   const std::string& file() const { return file_; }
+  std::size_t line_of_header() const { return header_; }
   bool has_more() const { return !rest_.empty(); }
   bool has_column(std::string_view name) const { return std::ranges::find(columns_, name) != columns_.end(); }
 
@@ -50,7 +52,8 @@ class RowReader {
       std::string list;
       for (std::size_t i = 0; i < columns_.size(); ++i)
         list += (list.empty() ? "" : ", ") + shown_name(columns_[i], i);
-      throw UserError(file_ + " has no column " + shown(name) + "; it has " + list);
+      throw UserError(file_ + " has no column " + shown(name) + "; it has " + list +
+                      (name == "value" ? ": --value names the measured one" : ""));
     }
     return static_cast<std::size_t>(std::ranges::find(columns_, name) - columns_.begin());
   }
@@ -80,18 +83,42 @@ class RowReader {
     throw UserError(file_ + ", line " + std::to_string(line_) + ": " + what);
   }
 
-  std::vector<std::string_view> next_cells() {
+  std::string_view next() {
     ++line_;
-    std::string_view line = next_line(rest_);
+    return next_line(rest_);
+  }
+
+  std::vector<std::string_view> next_cells() { return cells_of(next()); }
+
+  /// Between commas; of a line without one between blanks and tabs.
+  std::vector<std::string_view> cells_of(std::string_view line) const {
     if (line.find('"') != std::string_view::npos) refuse("a quote: write numbers and names without quotes");
+    const bool has_comma = line.find(',') != std::string_view::npos;
+    line = trimmed(line);
     std::vector<std::string_view> cells;
     for (;;) {
-      const std::size_t comma = line.find(',');
-      cells.push_back(trimmed(line.substr(0, comma)));
+      const std::size_t end = has_comma ? line.find(',') : line.find_first_of(" \t");
+      cells.push_back(trimmed(line.substr(0, end)));
       if (cells.size() > most_columns) refuse("more than " + std::to_string(most_columns) + " cells");
-      if (comma == std::string_view::npos) return cells;
-      line.remove_prefix(comma + 1);
+      if (end == std::string_view::npos) return cells;
+      line.remove_prefix(end + 1);
+      if (!has_comma) line = trimmed(line);
     }
+  }
+
+  /// The names of the columns. As np.savetxt writes them, they stand behind a '#'; lines of comments may
+  /// stand before them.
+  std::vector<std::string_view> header() {
+    std::string_view line = next();
+    while (line.starts_with('#') && has_more()) {
+      std::string_view rest = rest_;
+      const auto cells = cells_of(next_line(rest));
+      if (std::ranges::any_of(cells, [](std::string_view cell) { return parse_number(cell).has_value(); }))
+        break;
+      line = next();
+    }
+    if (line.starts_with('#')) line.remove_prefix(1);
+    return cells_of(line);
   }
 
   void require_column_name(std::size_t i) const {
@@ -105,19 +132,20 @@ class RowReader {
 
   std::string file_;
   std::string_view rest_;
-  std::size_t line_ = 0;
+  std::size_t line_ = 0, header_ = 0;
   std::vector<std::string_view> columns_, cells_;
 };
 
 }  // namespace
 
 MeasuredRows read_measured_rows(std::string_view text, const std::string& file,
-                                const std::vector<std::string>& variables) {
+                                const std::vector<std::string>& variables, const std::string& measured) {
   RowReader reader(text, file);
   MeasuredRows rows{file, std::vector<std::vector<double>>(variables.size()), {}, {}};
+  rows.header = reader.line_of_header();
   std::vector<std::size_t> places;
   for (const std::string& variable : variables) places.push_back(reader.column(variable));
-  const std::size_t value = reader.column("value");
+  const std::size_t value = reader.column(measured);
   const bool has_sigma = reader.has_column("sigma");
   const std::size_t sigma = has_sigma ? reader.column("sigma") : value;
   while (reader.has_more()) {

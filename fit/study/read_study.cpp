@@ -33,9 +33,15 @@ std::string quoted(const std::string& text) {
   return " '" + text + "'";
 }
 
+/// What a formula of numbers may name: degrees too.
+FormulaNames names_of_numbers() {
+  const Symbolic degree = Symbolic::constant("pi") / Symbolic::number("180");
+  return {.variables = {}, .definitions = {{"deg", Definition{{}, degree}}}};
+}
+
 /// The value of a formula without variables.
 double number_of(const StudyPart& part, const std::string& text) {
-  const Symbolic formula = read(part, text, {}).formula;
+  const Symbolic formula = read(part, text, names_of_numbers()).formula;
   const auto value = static_cast<double>(in_50_digits(formula));
   if (!std::isfinite(value)) throw StudyFault(part, quoted(text) + " is not a finite number");
   return value;
@@ -184,7 +190,7 @@ FormulaNames names_of(const Study& study, const std::vector<std::string>& variab
     require_name(part, name);
     require_free_of_rows(part, name, study);
     if (contains(variables, name)) throw StudyFault(part, quoted(name) + " is a variable already");
-    names.definitions.emplace(name, Definition{{}, read(part, value, {}, quoted(name)).formula});
+    names.definitions.emplace(name, Definition{{}, read(part, value, names_of_numbers(), quoted(name)).formula});
   }
   if (study.definitions.size() > most_definitions)
     throw StudyFault({"--let"}, " has " + std::to_string(study.definitions.size()) +
@@ -236,6 +242,14 @@ void require_enough_rows(const ReadStudy& study) {
 }
 
 }  // namespace
+
+std::optional<double> value_of_numbers(const std::string& text) {
+  try {
+    return number_of({}, text);
+  } catch (const UserError&) {
+    return std::nullopt;
+  }
+}
 
 std::string density_of(const std::string& text, const std::string& variable) {
   if (text == "cosine") return "1";

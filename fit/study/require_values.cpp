@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -17,7 +19,7 @@ namespace {
 /// The place of a node as text: "x = 0.5", or "line 3 of 'rows.csv'".
 std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_t node) {
   if (study.rows)
-    return "line " + std::to_string(line_of_row(node + 1)) + " of '" + study.rows->file.unescaped() + "'";
+    return "line " + std::to_string(line_of_row(*study.rows, node + 1)) + " of '" + study.rows->file.unescaped() + "'";
   std::string place;
   for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
     place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " +
@@ -32,6 +34,47 @@ std::string first_place(const ReadStudy& study, const std::vector<double>& value
   const auto found = std::find_if_not(values.begin(), values.end(), passes);
   return found == values.end() ? ""
                                : place_of(study, nodes, static_cast<std::size_t>(found - values.begin()));
+}
+
+/// ", and acos takes -1 to 1"; empty for an operation that takes all numbers.
+std::string domain_of(const Symbolic& operation) {
+  const auto takes = [&](const char* numbers) { return ", and " + operation.name() + " takes " + numbers; };
+  if (operation.kind() == Symbolic::Kind::real_power) return ", and a power takes a base of 0 or more";
+  if (operation.kind() != Symbolic::Kind::function) return "";
+  const std::string& name = operation.name();
+  if (name == "acos" || name == "asin") return takes("-1 to 1");
+  if (name == "log" || name == "log2") return takes("numbers above 0");
+  if (name == "log1p") return takes("numbers above -1");
+  return name == "sqrt" ? takes("0 and numbers above") : "";
+}
+
+/// Why a formula has no finite value: the operation that has none though its operands have, ": acos(1.2) is
+/// nan, and acos takes -1 to 1". Empty inside an integral.
+std::string reason_of(const Symbolic& formula, const std::function<double(const std::string&)>& value_of) {
+  if (formula.kind() == Symbolic::Kind::integral) return "";
+  if (formula.kind() == Symbolic::Kind::choice) {
+    const bool is_first =
+        evaluate<double>(formula.part(0), value_of) < evaluate<double>(formula.part(1), value_of);
+    return reason_of(formula.part(is_first ? 2 : 3), value_of);
+  }
+  std::vector<Symbolic> values;
+  for (const Symbolic& part : formula.parts()) {
+    const double value = evaluate<double>(part, value_of);
+    if (!std::isfinite(value)) return reason_of(part, value_of);
+    values.push_back(Symbolic::number(to_text(value)));
+  }
+  const double value = evaluate<double>(formula, value_of);
+  if (std::isfinite(value)) return "";  // as a double; a node may be wider
+  return ": " + to_text(formula.with_parts(values)) + " is " + decimal(value, 6) + domain_of(formula);
+}
+
+/// The same at a node, by its number.
+std::string reason_at(const ReadStudy& study, const StudyNodes& nodes, std::size_t node) {
+  return reason_of(study.target, [&](const std::string& name) {
+    const std::vector<std::string> variables = variables_of(study.axes);
+    const auto axis = static_cast<std::size_t>(std::ranges::find(variables, name) - variables.begin());
+    return static_cast<double>(nodes.coordinates.at(axis)[node]);
+  });
 }
 
 /// The form at parameters without a relation to each other: where it is 0 or infinite for these, it is for
@@ -194,13 +237,19 @@ std::vector<double> require_values(const ReadStudy& study, const StudyNodes& nod
     return (study.rows ? value > 0 : value >= 0) && std::isfinite(value);
   };
   const std::vector<double> target = values_at_nodes(study, study.target, nodes);
-  if (const auto place = first_place(study, target, nodes, is_finite); !place.empty())
-    throw UserError("--target has no finite value at " + place);
+  if (const auto node =
+          static_cast<std::size_t>(std::ranges::find_if_not(target, is_finite) - target.begin());
+      node < target.size())
+    throw UserError("--target has no finite value at " + place_of(study, nodes, node) +
+                    (study.rows ? "" : reason_at(study, nodes, node)));
   const std::vector<double> weights =
       is_one(study.weight) ? std::vector<double>{} : values_at_nodes(study, study.weight, nodes);
   if (const auto place = first_place(study, weights, nodes, is_weight); !place.empty())
     throw UserError(study.rows ? "--weight must be finite and greater than 0; it is not at " + place
                                : "--weight is negative, or has no finite value, at " + place);
+  const auto is_zero = [](double value) { return value == 0; };
+  if (!weights.empty() && std::ranges::all_of(weights, is_zero))
+    throw UserError("--weight '" + to_text(study.weight) + "' is 0 in the whole range: no error would count");
   if (study.error == Error::absolute) return target;
   auto place = first_place(study, target, nodes, [&](double value) { return is_finite(1 / value); });
   if (place.empty() && study.axes.size() == 1 && !study.rows) place = zero_of_target(study);

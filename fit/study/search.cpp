@@ -277,12 +277,12 @@ std::size_t search_rule(const ReadStudy& study) {
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,
                            const Checkpoint& checkpoint) {
-  require_dependence(study, error.is_open());
   const bool has_finer_nodes = study.axes.size() == 1 && !study.rows && !moving_kinks(study).empty();
   // Between kinks that move, sums over few nodes have basins of their own.
   const std::size_t rule = has_finer_nodes ? fit_rules.size() - 1 : search_rule(study);
   const StudyNodes nodes = nodes_of(study, edges, fit_rules[rule]);
   const std::vector<double> target = require_values(study, nodes);
+  require_dependence(study, error.is_open());
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0, study.rows != nullptr};

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,10 @@ inline constexpr std::size_t most_study_parameters = most_fitted;
 
 /// The most definitions of a study, arguments of one, and forms.
 inline constexpr std::size_t most_definitions = 1000, most_arguments = 16, most_forms = 100;
+
+/// The value of a formula of numbers, such as an end of a range: "cos(pi/6)", "30deg". Empty for any other
+/// text, and where the value is not finite.
+std::optional<double> value_of_numbers(const std::string& text);
 
 /// The density that a word names: `cosine`, `angle` and `cosine-weighted` for a cosine in [0, 1]. Any other
 /// text is a formula already.

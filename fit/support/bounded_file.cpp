@@ -1,7 +1,10 @@
 #include "fit/support/bounded_file.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -56,6 +59,24 @@ void require_size(const std::filesystem::path& path, std::uintmax_t most_bytes) 
 
 std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_bytes) {
   return read_part(path, 0, size_within(path, most_bytes));
+}
+
+std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint) {
+  constexpr int patience = 100;  // milliseconds between two looks for a signal
+  std::string content;
+  for (;;) {
+    checkpoint();
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    const int ready = ::poll(&input, 1, patience);
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    std::array<char, 1 << 16> part{};
+    const ssize_t length = ready < 0 ? -1 : ::read(STDIN_FILENO, part.data(), part.size());
+    if (length < 0) refuse_file("-", std::strerror(errno));
+    if (length == 0) return content;
+    content.append(part.data(), static_cast<std::size_t>(length));
+    if (content.size() > most_bytes)
+      refuse_file("-", fmt::format("standard input has more than {} bytes", most_bytes));
+  }
 }
 
 }  // namespace shadefit

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "fit/support/checkpoint.hpp"
+
 /// Reads files of users, never more than a limit.
 namespace shadefit {
 
@@ -13,6 +15,9 @@ void require_size(const std::filesystem::path& path, std::uintmax_t most_bytes);
 /// A whole file of at most `most_bytes`; the size is checked before anything is read. Throws UserError naming
 /// the file.
 std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_bytes);
+
+/// The same of standard input, named '-'. Calls the checkpoint while it waits.
+std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint);
 
 /// `length` bytes of a file from `offset` on. Throws UserError naming the file, also if it ends before.
 std::string read_part(const std::filesystem::path& path, std::uintmax_t offset, std::uintmax_t length);

@@ -1,5 +1,6 @@
 #include "fit/verdicts/study_objectives.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -7,8 +8,13 @@
 #include <span>
 #include <utility>
 
+#include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
+#include "fit/study/study_problem.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
+#include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {
 namespace {
@@ -214,27 +220,66 @@ void append_densities(const StudyObjective& asked, const StudyAxis& axis,
   }
 }
 
-/// Appends minimax that is exact at one end, or at both.
-void append_exact_ends(const StudyObjective& asked, const StudyAxis& axis,
-                       std::vector<StudyObjective>& objectives) {
-  for (const auto& ends :
-       {std::vector{axis.lower}, std::vector{axis.upper}, std::vector{axis.lower, axis.upper}}) {
-    for (const Error error : {Error::absolute, Error::relative}) {
-      Study study = asked.study;
-      study.error = error;
-      StudyObjective objective = objective_of(study, Norm::minimax, {.exact_at = ends});
-      if (objective.words != asked.words) objectives.push_back(std::move(objective));
-    }
+/// One end of a range, the other, and both.
+std::vector<std::vector<double>> choices_of_ends(const StudyAxis& axis) {
+  return {{axis.lower}, {axis.upper}, {axis.lower, axis.upper}};
+}
+
+/// Appends fits that are exact at these places.
+void append_exact_at(const StudyObjective& asked, Norm norm, const std::vector<double>& places,
+                     std::vector<StudyObjective>& objectives) {
+  for (const Error error : {Error::absolute, Error::relative}) {
+    Study study = asked.study;
+    study.error = error;
+    StudyObjective objective = objective_of(study, norm, {.exact_at = places});
+    if (objective.words != asked.words) objectives.push_back(std::move(objective));
   }
+}
+
+/// Whether a form is its target at a place with these printed constants, as nearly as their last digits
+/// allow. It has to depend on them there.
+bool is_exact_at(const ReadStudy& study, const std::vector<std::string>& printed, double place) {
+  const auto form_with = [&](std::size_t moved) {
+    return evaluate<double>(study.form, [&](const std::string& name) {
+      const auto i =
+          static_cast<std::size_t>(std::ranges::find(study.parameters, name) - study.parameters.begin());
+      if (i == printed.size()) return place;
+      return constant<double>(printed[i]) + (i == moved ? last_unit(printed[i]) : 0);
+    });
+  };
+  const double form = form_with(printed.size());
+  double rounding = 0;
+  for (std::size_t i = 0; i < printed.size(); ++i) rounding += std::abs(form_with(i) - form);
+  const double target = evaluate<double>(study.target, [&](const std::string&) { return place; });
+  return rounding > 0 && std::abs(form - target) <= rounding;
 }
 
 }  // namespace
 
+StudyFit errors_of_given(const ReadStudy& study) {
+  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
+  StudyFit given{.names = {}, .parameters = {}, .status = Status::converged};
+  given.rms_error = rms_error(study, StudyError(study), {});
+  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
+  return given;
+}
+
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
+  if (!objective.study.held.empty()) {
+    const ReadStudy formulas = read_formulas(objective.study);
+    if (formulas.parameters.empty()) return errors_of_given(formulas);
+  }
   const ReadStudy read = read_study(objective.study);
-  return objective.norm == Norm::minimax
-             ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-             : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  StudyFit fit =
+      objective.norm == Norm::minimax
+          ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
+          : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
+  if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
+    fit.status = Status::not_finite;
+    fit.why = "a parameter is beyond the range of a double";
+  }
+  return fit;
 }
 
 StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints) {
@@ -285,13 +330,26 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   if (asked.study.rows || variables > 2) return objectives;
   if (variables == 1) {
     append_densities(asked, read.axes.front(), objectives);
-    append_exact_ends(asked, read.axes.front(), objectives);
+    for (const auto& ends : choices_of_ends(read.axes.front()))
+      append_exact_at(asked, Norm::minimax, ends, objectives);
     append_samples(asked, read, read.target, usual_samples(read.axes.front()), objectives);
   } else {
     append_densities_of_two(asked, read, objectives);
     append_samples(asked, read, read.target, usual_grids, objectives);
   }
   append_parts(asked, read, objectives);
+  return objectives;
+}
+
+std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked,
+                                                const std::vector<std::string>& printed) {
+  std::vector<StudyObjective> objectives;
+  const ReadStudy read = read_study(asked.study);
+  if (asked.study.rows || read.axes.size() > 1) return objectives;
+  for (const auto& ends : choices_of_ends(read.axes.front())) {
+    if (std::ranges::all_of(ends, [&](double end) { return is_exact_at(read, printed, end); }))
+      append_exact_at(asked, Norm::least_squares, ends, objectives);
+  }
   return objectives;
 }
 

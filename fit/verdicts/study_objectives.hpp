@@ -20,7 +20,12 @@ struct StudyObjective {
   std::optional<std::string> recompute = {};  ///< the formula that gave the values of the rows, if known
 };
 
-/// The fit under an objective. Throws UserError like `read_study`, `solve_study` and `solve_minimax_study`.
+/// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
+/// value.
+StudyFit errors_of_given(const ReadStudy& study);
+
+/// The fit under an objective; its errors, where all parameters are held. Throws UserError like `read_study`,
+/// `solve_study` and `solve_minimax_study`.
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 
 /// An objective with its words.
@@ -39,5 +44,10 @@ std::vector<StudyObjective> plain_objectives(const StudyObjective& asked);
 /// densities of each, on grids of usual sizes, and on parts; the target is then a formula, or, for the grids,
 /// `recompute`.
 std::vector<StudyObjective> other_objectives(const StudyObjective& asked);
+
+/// Least squares that are exact at one end of the range or at both, with each error, where the form with
+/// these printed constants is; empty of rows and of several variables.
+std::vector<StudyObjective> exact_least_squares(const StudyObjective& asked,
+                                                const std::vector<std::string>& printed);
 
 }  // namespace shadefit

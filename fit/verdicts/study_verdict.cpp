@@ -23,14 +23,28 @@ std::optional<StudyFit> fit_if_any(const StudyObjective& objective, const Checkp
   }
 }
 
+bool is_decimal_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+
+/// A fit has so many digits, and this is the unit of the last of them, relative to a constant.
+constexpr int digits_of_a_fit = 14;
+constexpr double unit_of_a_fit = 1e-14;
+
+/// The significant digits of a printed number.
+int digits_of(std::string_view printed) {
+  const std::string_view mantissa = printed.substr(0, printed.find_first_of("eE"));
+  const std::size_t first = std::min(mantissa.find_first_of("123456789"), mantissa.size());
+  return static_cast<int>(std::ranges::count_if(mantissa.substr(first), is_decimal_digit));
+}
+
 /// How far the worst constant is off, in units of its last printed digit. Digits beyond those of a fit are
 /// ignored.
 long worst_units_off(const std::vector<std::string>& printed, const std::vector<double>& computed) {
-  constexpr double digits_of_a_fit = 1e-14;
   long worst = 0;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const double difference = std::abs(constant<double>(printed[i]) - computed[i]);
-    if (difference > digits_of_a_fit * std::abs(computed[i]))
+    if (difference > unit_of_a_fit * std::abs(computed[i]))
       worst = std::max(worst, units_off(printed[i], computed[i]));
   }
   return worst;
@@ -58,7 +72,10 @@ double chance_of_one(const std::vector<TriedFit>& trials, const std::vector<std:
     std::vector<double> values;
     for (const TriedFit& trial : trials)
       if (trial.held == held) values.push_back(trial.values[i]);
-    const double units = static_cast<double>(1 + 2 * most_off) * last_unit(printed[i]);
+    // Digits that no fit has are no evidence.
+    const double unit =
+        std::max(last_unit(printed[i]), unit_of_a_fit * std::abs(constant<double>(printed[i])));
+    const double units = static_cast<double>(1 + 2 * most_off) * unit;
     if (held != i) chance *= share_in(std::move(values), units);
   }
   return chance;
@@ -228,8 +245,10 @@ TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const
   std::vector<StudyObjective> all{asked};
   all.insert(all.end(), others.begin(), others.end());
   for (const StudyObjective& held : with_one_held(all, set)) {
-    if (is_held_nearby(held, tried.fits, parameters)) hits_nearby(held);
+    if (is_held_nearby(held, tried.fits, parameters)) is_hit = hits_nearby(held) || is_hit;
   }
+  if (is_hit) return tried;
+  for (const StudyObjective& exact : exact_least_squares(asked, printed)) hits_nearby(exact);
   return tried;
 }
 
@@ -247,6 +266,8 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
     StudyJudgement found{verdict, tried.fits[i].words, tried.fits[i].values, tried.attempts, chance_of(i), {},
                          off[i]};
     if (verdict == Verdict::refuted) return found;
+    if (std::ranges::any_of(printed, [](const std::string& p) { return digits_of(p) > digits_of_a_fit; }))
+      found.compared_digits = digits_of_a_fit;
     for (std::size_t k = 0; k < off.size(); ++k)
       if (off[k] == 0 && k != i) found.also.push_back(tried.fits[k].words);
     if (found.chance >= most_chance_hits) found.verdict = Verdict::undecidable;

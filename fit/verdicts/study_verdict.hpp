@@ -30,6 +30,7 @@ struct StudyJudgement {
   double chance = 0;
   std::vector<std::string> also = {};  ///< the other objectives that have the same digits
   long units_off = 0;  ///< of the worst constant under `objective`, in units of its last printed digit
+  std::optional<int> compared_digits = {};  ///< of each constant, where more are printed than a fit has
 };
 
 /// If more chance hits are expected, a hit decides nothing.

@@ -165,11 +165,14 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
                "verdict"}};
   for (const auto& check : checks) {
     const bool is_good = check.estimated_error <= normalisation_tolerance;
+    const std::string_view verdict = check.verdict ? name(*check.verdict) : name(Status::not_converged);
+    // A stand-in that is close has other digits: that confirms no number.
+    const bool is_close = check.record->closeness > 0 && check.verdict == Verdict::confirmed;
     table.rows.push_back({word(check.record->id), check.exponent ? Cell(Number{*check.exponent, 10}) : Cell(),
                           converged(check.closed_form), converged(check.integral),
                           above_floor(check.relative_difference, normalisation_tolerance),
                           Number{is_good ? normalisation_tolerance : check.estimated_error, 2},
-                          word(check.verdict ? name(*check.verdict) : name(Status::not_converged))});
+                          word(is_close ? "close" : verdict)});
   }
   return table;
 }

@@ -30,7 +30,7 @@ std::string stand_in_words(const Results& results) {
   }
   return fmt::format(
       "`{0}`, `{1}`, stands in for `{2}`, and is judged by its ratio to it. {3} quotes Naty Hoffman: \"close "
-      "to 1\". We read that as within {4:g}, and call such a ratio *confirmed* in this table. The ratio is 1 in the limits a = 0 and infinity. It is largest "
+      "to 1\". We read that as within {4:g}, and call such a ratio *close* in this table. The ratio is 1 in the limits a = 0 and infinity. It is largest "
       "at a = {5:.6g}: {6:.10g}, which is {7:.3g} % too bright.\n\n{8}",
       record.id, record.printed, BlinnPhongBrdfLobe::record.printed, linked(record.source), record.closeness,
       exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));

@@ -150,6 +150,7 @@ Json study_comparison_json(const StudyComparison& comparison) {
          {"objective", judgement && !judgement->objective.empty() ? Json(judgement->objective) : Json()},
          {"fits_tried", judgement ? Json(judgement->tried) : Json()},
          {"chance_hits", judgement ? Json(judgement->chance) : Json()},
+         {"compared_digits", judgement ? optional_json(judgement->compared_digits) : Json()},
          {"units_off", judgement ? Json(judgement->units_off) : Json()},
          {"claims", claims},
          {"beats", contender.beats}});

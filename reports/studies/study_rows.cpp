@@ -22,6 +22,11 @@ bool is_answer(const FittedStudy& study) {
   return study.fit.status == Status::converged;
 }
 
+/// "converged"; "given" where nothing was fitted.
+std::string status_of(const FittedStudy& study) {
+  return is_answer(study) && study.fit.names.empty() ? "given" : std::string(name(study.fit.status));
+}
+
 /// The last columns: the largest error and its place; of measured rows its row, and how large the noise is.
 std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
   if (!studies.front().asked().rows) {
@@ -165,7 +170,8 @@ std::string contacts_text(const StudyFit& fit, const std::string& variable) {
 }  // namespace
 
 std::string verdict_in_words(const StudyJudgement& judgement) {
-  const std::string verdict(name(judgement.verdict));
+  std::string verdict(name(judgement.verdict));
+  if (judgement.compared_digits) verdict += fmt::format(" to {} digits", *judgement.compared_digits);
   const bool has_objective =
       judgement.verdict == Verdict::other_objective || judgement.verdict == Verdict::undecidable;
   return has_objective ? verdict + ": " + judgement.objective : verdict;
@@ -201,9 +207,10 @@ Table study_table(const std::vector<FittedStudy>& studies) {
     for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
     for (const double p : study.fit.parameters)
       row.push_back(is_answer(study) ? Cell(Number{p, all_digits}) : Cell());
-    row.emplace_back(std::string(name(study.fit.status)));
+    row.emplace_back(status_of(study));
     if (is_answer(study)) {
-      row.insert(row.end(), {static_cast<long>(study.fit.digits), Number{study.fit.rms_error, 4}});
+      row.insert(row.end(), {study.fit.names.empty() ? Cell() : Cell(static_cast<long>(study.fit.digits)),
+                             Number{study.fit.rms_error, 4}});
       for (const Cell& cell : last_cells(study)) row.push_back(cell);
     }
     row.resize(table.columns.size() - (has_published ? 2 : 0));
@@ -284,6 +291,7 @@ std::string uncertainty_text(const std::vector<FittedStudy>& studies) {
       studies, [](const FittedStudy& study) { return study.fit.statistics.has_value(); });
   if (found == studies.end()) {
     const FittedStudy& first = studies.front();
+    if (first.fit.names.empty()) return "";
     if (first.fit.status != Status::converged || first.fit.level) return "";
     return first.read.rows->value.size() == first.fit.names.size()
                ? "No standard errors: there are as many rows as parameters.\n"
@@ -316,7 +324,7 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"norm", study.fit.level ? "minimax" : "least-squares"},
                      {"error", name(study.asked().error)},
                      {"weight", study.asked().weight},
-                     {"status", name(study.fit.status)},
+                     {"status", status_of(study)},
                      {"why", study.fit.why.empty() ? Json() : Json(study.fit.why)},
                      {"starts", study.fit.starts},
                      {"global", study.fit.is_global},

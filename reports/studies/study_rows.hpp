@@ -28,7 +28,7 @@ struct FittedStudy {
   const Study& asked() const { return objective.study; }
 };
 
-/// "other-objective: minimax, exact at x = 0", "confirmed".
+/// "other-objective: minimax, exact at x = 0", "confirmed", "confirmed to 14 digits" where more are printed.
 std::string verdict_in_words(const StudyJudgement& judgement);
 
 /// The same with the number of fits that were tried: "refuted (92 tried)".

@@ -65,7 +65,8 @@ TEST(BadInput, Exponents) {
 TEST(BadInput, Domains) {
   for (const char* text : {"", "0.5", "0:x", "nan:1", "0:inf", ":1"}) {
     expect_refusal({"fit", "sg-offset", "--domain", text},
-                   "--domain '" + std::string(text) + "' is not a pair A:B of finite numbers");
+                   "--domain '" + std::string(text) +
+                       "' is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
   }
   for (const char* text : {"0.5:0.5", "0.75:0.25"}) {
     expect_refusal({"fit", "sg-offset", "--domain", text},
@@ -231,7 +232,7 @@ TEST(BadInput, OutputPaths) {
 }
 
 TEST(BadInput, WhatIsPrintedIsOneLineOfUtf8) {
-  const std::string rule = " is not a pair A:B of finite numbers";
+  const std::string rule = " is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1";
   const auto expect_printed = [&](const std::string& text, const std::string& printed) {
     expect_refusal({"fit", "sg-offset", "--domain", text}, "--domain '" + printed + "'" + rule);
   };
@@ -250,9 +251,9 @@ TEST(BadInput, WhatIsPrintedIsOneLineOfUtf8) {
 // value.
 TEST(BadInput, NumbersAtTheEdgeOfADouble) {
   expect_refusal({"fit", "sg-offset", "--domain", "0x10:1"},
-                 "--domain '0x10:1' is not a pair A:B of finite numbers");
+                 "--domain '0x10:1' is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
   expect_refusal({"fit", "sg-offset", "--domain", "0:1e400"},
-                 "--domain '0:1e400' is not a pair A:B of finite numbers");
+                 "--domain '0:1e400' is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
   expect_refusal({"fit", "sg-offset", "--domain=-1e-320:1"},
                  "--domain '-1e-320:1' is not inside 0:1: A and B are cosines");
   expect_refusal({"fit", "sg-offset", "--domain", "0:1.0000000000000002"},

@@ -101,7 +101,7 @@ TEST(StudyCommand, SaysWhatDidNotConverge) {
   const Outcome outcome =
       run_command_line({"fit", "--target", "abs(x)", "--form", "exp(-4 (x - m)^2)", "--over", "x=-1:1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("shadefit: the fit is ambiguous: another curve is as good\nshadefit: m = "),
+  EXPECT_NE(outcome.err.find("shadefit: the fit is ambiguous: another curve is as good, m = "),
             std::string::npos)
       << outcome.err;
 }
@@ -119,10 +119,10 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--exponent does not go with --form: write it as a name in the formulas, and set that by "
                  "--given");
   expect_refusal(with(acos_linear, {"--domain", "0.2:1"}),
-                 "--domain does not go with --form: give the range by --over");
+                 "--domain does not go with --form: give the range by --over, for example x=0:1");
   // The default too, if it is given.
   expect_refusal(with(acos_linear, {"--domain", "0:1"}),
-                 "--domain does not go with --form: give the range by --over");
+                 "--domain does not go with --form: give the range by --over, for example x=0:1");
   expect_refusal(with(acos_linear, {"--exact-at", "0.5"}),
                  "--exact-at '0.5' is not an end of the range of x");
   const TemporaryDirectory directory;

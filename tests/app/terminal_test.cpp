@@ -287,6 +287,10 @@ TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
   EXPECT_EQ(completed("shadefit fit sg-offset --measure cos"), "cosine cosine-weighted\n");
   EXPECT_EQ(completed("shadefit fit sg-offset-"), "sg-offset-mean sg-offset-limit sg-offset-k5\n");
   EXPECT_EQ(completed("shadefit explain half-"), "half-banding\n");
+  for (const char* command : {"fit", "better", "explain", "cite", "run", "check", "bench", "list"})
+    EXPECT_EQ(completed("shadefit " + std::string(command) + " acos-"),
+              "acos-cubic acos-linear acos-quadratic\n")
+        << command;
   EXPECT_EQ(completed("shadefit help em"), "emit\n");
   EXPECT_EQ(completed("shadefit fit --round b"), "bfloat16\n");
   EXPECT_EQ(completed("shadefit fit sg-offset --exponent 5"), "\n") << "a number of the user";

@@ -87,6 +87,38 @@ TEST(ParseFormula, SaysWhereItStopped) {
   EXPECT_NE(error_of(nul), "no error");
 }
 
+// Expressions of Python, and numbers that shadefit prints.
+TEST(ParseFormula, ReadsPython) {
+  EXPECT_EQ(value_of("a**2"), 9);
+  EXPECT_EQ(value_of("-a**2 + 2*a ** 2"), 9) << "as ^";
+  EXPECT_EQ(value_of("4**(-b)*2"), 1);
+  EXPECT_EQ(value_of("1/a**2"), 1.0 / 9);
+  EXPECT_EQ(value_of("a**-2"), 1.0 / 9);
+  EXPECT_EQ(error_of("a**b**2"),
+            "formula 'a**b**2': expected parentheses around one of the powers at place 5");
+  EXPECT_EQ(error_of("a* *b"), "formula 'a* *b': expected a number, a name or '(' at place 4");
+  EXPECT_EQ(to_text(parse("arccos(b) + arcsin(b) + arctan(b) + arctan2(a, b)")),
+            to_text(parse("acos(b) + asin(b) + atan(b) + atan2(a, b)")));
+  EXPECT_EQ(to_text(parse("arccosh(a) + arcsinh(a) + arctanh(b)")),
+            to_text(parse("acosh(a) + asinh(a) + atanh(b)")));
+  EXPECT_EQ(value_of("np.maximum(a, 4) + numpy.clip(a, 0, 1) + math.fabs(-a) + np.power(a, 2)"), 17);
+  EXPECT_EQ(value_of("np.pi/math.pi + np.log(np.e)"), 2);
+  EXPECT_EQ(to_text(parse("np.arccos(b)")), "acos(b)");
+  EXPECT_NE(error_of("torch.acos(a)").find("expected"), std::string::npos);
+  EXPECT_EQ(
+      error_of("np.dog(a)"),
+      "formula 'np.dog(a)': expected a function after 'np.', not 'dog' (did you mean 'log'?) at place 4");
+  EXPECT_EQ(value_of("0x1.8p+3 + 0x1p-1 a"), 13.5);
+  EXPECT_EQ(value_of("-0x1.999999999999ap-4"), -0.1);
+  EXPECT_EQ(value_of("a - 0x0p+0"), 3);
+  EXPECT_EQ(value_of("0x1p-1074 a/0x1p-1074"), 3);
+  EXPECT_EQ(parse("0x1.8p+1").name(), "3");
+  EXPECT_EQ(parse("0x1.999999999999ap-4").name(),
+            "0.1000000000000000055511151231257827021181583404541015625");
+  for (const char* text : {"0x1.80p+1", "0x1.8p+9999", "0x3p+1", "0x1.8p+01"})
+    EXPECT_NE(error_of(text).find("a hexadecimal double as shadefit prints it"), std::string::npos) << text;
+}
+
 // Expressions of shaders and of C, as they stand there.
 TEST(ParseFormula, ReadsShaderCode) {
   EXPECT_EQ(value_of("saturate(a)"), 1);

@@ -30,7 +30,10 @@ TEST(MeasuredRows, ReadsWhatOtherToolsWrite) {
   const Numbers one{1}, two{2};
   for (const char* text : {"x,value\n1,2\n", "x,value\r\n1,2\r\n", "x,value\r1,2\r", "x,value\n1,2",
                            "\xEF\xBB\xBFx,value\n1,2\n", " x ,\tvalue \n 1 ,\t2 \n",
-                           "name,x,value\nsteel,1,2\n", "x,value,name\n1,2,\n"}) {
+                           "name,x,value\nsteel,1,2\n", "x,value,name\n1,2,\n", "x value\n1 2\n",
+                           "x\tvalue\n1\t2\n", "  x \t value\n   1.0  \t2 \n", "# x value\n1.0e+00 2.0e+00\n",
+                           "#x,value\n1,2\n", "# x, value\n1 2\n", "# of 2020\n# by hand\n#x value\n1 2\n",
+                           "# of 2020\nx,value\n1,2\n", "# name,x,value\nsteel,1,2\n"}) {
     const MeasuredRows rows = read_rows(text);
     EXPECT_EQ(rows.places[0], one) << text;
     EXPECT_EQ(rows.value, two) << text;
@@ -56,7 +59,8 @@ TEST(MeasuredRows, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal_of_rows("x,\n1,2\n"), "'m.csv', line 1: column 2 has no name");
   EXPECT_EQ(refusal_of_rows("x,value,x\n1,2,3\n"), "'m.csv', line 1: 'x' is there twice");
   EXPECT_EQ(refusal_of_rows("t,value\n1,2\n"), "'m.csv' has no column 'x'; it has 't', 'value'");
-  EXPECT_EQ(refusal_of_rows("x,y\n1,2\n"), "'m.csv' has no column 'value'; it has 'x', 'y'");
+  EXPECT_EQ(refusal_of_rows("x,y\n1,2\n"),
+            "'m.csv' has no column 'value'; it has 'x', 'y': --value names the measured one");
   EXPECT_EQ(refusal_of_rows("x,value\n1,2\n3\n"), "'m.csv', line 3: has 1 cell, the header has 2");
   EXPECT_EQ(refusal_of_rows("x,value\n1,2,3\n"), "'m.csv', line 2: has 3 cells, the header has 2");
   EXPECT_EQ(refusal_of_rows("x,value\n1,2\n\n"), "'m.csv', line 3: has 1 cell, the header has 2");
@@ -74,6 +78,16 @@ TEST(MeasuredRows, AnswersBadInputWithOneLine) {
             "'m.csv', line 2: value '" + std::string(40, 'z') + " ..' is not a finite number");
   EXPECT_EQ(refusal_of_rows("x,value" + std::string(1000, ',') + "\n"),
             "'m.csv', line 1: more than 1000 cells");
+}
+
+TEST(MeasuredRows, NamesTheMeasuredColumnAndTheLines) {
+  const MeasuredRows rows = read_measured_rows("# a test\n# x light\n1 2\n", "m.csv", {"x"}, "light");
+  EXPECT_EQ(rows.value, Numbers{2});
+  EXPECT_EQ(line_of_row(rows, 1), 3u);
+  EXPECT_EQ(refusal_of_rows("#\nx,value\n1,two\n"), "'m.csv', line 3: value 'two' is not a finite number");
+  EXPECT_EQ(refusal_of_rows("# 1 2\n3 4\n"),
+            "'m.csv', line 1: '1' is a number: the first line must name the columns");
+  EXPECT_EQ(refusal_of_rows("#\n"), "'m.csv', line 1: column 1 has no name");
 }
 
 TEST(MeasuredRows, HasALimit) {

@@ -157,6 +157,33 @@ TEST(StudyVerdict, FindsTheFitWithoutTheWeight) {
   EXPECT_EQ(judgement.objective, "least squares, without the weight");
 }
 
+// The mantissa of a logarithm, that has to join at 1: s - a = 1.
+TEST(StudyVerdict, FindsLeastSquaresThatAreExactAtAnEnd) {
+  const Study mantissa{.target = "log2(1 + x)", .form = "x (s - a x)", .over = {{"x", "0", "1"}}};
+  const StudyObjective asked = objective_of(mantissa, Norm::least_squares, {});
+  const StudyObjective exact = objective_of(mantissa, Norm::least_squares, {.exact_at = {1}});
+  const StudyJudgement judgement = judge_set(asked, printed(exact, 7));
+  EXPECT_EQ(name(judgement.verdict), "other-objective") << judgement.objective;
+  EXPECT_EQ(judgement.objective, "least squares, exact at x = 1");
+  const auto count = [&](const std::vector<std::string>& values) {
+    return exact_least_squares(asked, values).size();
+  };
+  EXPECT_EQ(count({"1.3465552", "0.3465552"}), 2U) << "two errors";
+  EXPECT_EQ(count({"1.3465552", "0.3465562"}), 0U) << "not exact at 1; at 0 it is for all constants";
+}
+
+// A fit has 14 digits: those behind are neither right nor wrong, and no evidence.
+TEST(StudyVerdict, ClaimsNoDigitsThatNoFitHas) {
+  PublishedSet set = printed(objective_of(arc_cosine, Norm::least_squares, {}), 13);
+  EXPECT_EQ(judged(set).compared_digits, std::nullopt);
+  const StudyJudgement few = judged(set);
+  for (auto& value : set.values) value.second += "1234567";
+  const StudyJudgement many = judged(set);
+  EXPECT_EQ(name(many.verdict), "confirmed");
+  EXPECT_EQ(many.compared_digits, 14);
+  EXPECT_GT(many.chance, few.chance / 100) << "seven more digits would have a chance of 1e-14";
+}
+
 TEST(StudyVerdict, NamesTheNearestFitOfRefutedDigits) {
   PublishedSet set = printed(objective_of(arc_cosine, Norm::minimax, {}), 9);
   set.values[1].second = "-0.168258005";  // six units in the eighth decimal
