@@ -6,18 +6,6 @@
 #include "reports/rows/citation.hpp"
 
 namespace shadefit {
-namespace {
-
-/// The sources of the published sets, each once.
-std::vector<std::string> sources_in(const StudyFile& study) {
-  std::vector<std::string> sources;
-  for (const PublishedSet& set : study.published) {
-    if (std::ranges::find(sources, set.source) == sources.end()) sources.push_back(set.source);
-  }
-  return sources;
-}
-
-}  // namespace
 
 Outcome cite_command(const CiteOptions& options) {
   std::string out = bibtex_of_shadefit(SHADEFIT_VERSION);
@@ -28,9 +16,9 @@ Outcome cite_command(const CiteOptions& options) {
   if (is_built_in) return {0, out, ""};
   const auto folders = study_folders(options.studies);
   const auto study = find_study(*options.id, folders);
-  for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
+  for (const auto& path : known_study_files(folders)) known.push_back(path.stem().string());
   if (!study) require_known(*options.id, known, "claim, constant, family or study");
-  for (const std::string& entry : bibtex_of_texts(sources_in(*study))) out += "\n" + entry;
+  for (const std::string& entry : bibtex_of_sets(study->published)) out += "\n" + entry;
   return {0, out, ""};
 }
 

@@ -146,7 +146,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
     auto found = find_study(options.id, folders);
     if (!found) {
       std::vector<std::string> known = ids_with_a_fit();
-      for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
+      for (const auto& path : known_study_files(folders)) known.push_back(path.stem().string());
       require_known(options.id, known, "form, constant or study");
     }
     file = *std::move(found);

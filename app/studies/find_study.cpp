@@ -113,6 +113,12 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
   return files;
 }
 
+std::vector<fs::path> known_study_files(std::vector<fs::path> folders) {
+  const std::size_t count = folders.size();
+  for (std::size_t i = 0; i < count; ++i) folders.push_back(folders[i] / "exact");
+  return study_files(folders);
+}
+
 void load_rows(StudyFile& file, const fs::path& table) {
   std::vector<std::string> variables;
   for (const StudyRange& range : file.study.over) variables.push_back(range.variable);
@@ -140,7 +146,7 @@ StudyFile load_study(const fs::path& path) {
 
 std::optional<StudyFile> find_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (name.ends_with(".toml")) return load_study(name);
-  for (const fs::path& file : study_files(folders)) {
+  for (const fs::path& file : known_study_files(folders)) {
     if (file.stem() == name) return load_study(file);
   }
   return std::nullopt;
@@ -148,7 +154,7 @@ std::optional<StudyFile> find_study(const std::string& name, const std::vector<f
 
 StudyFile named_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (auto found = find_study(name, folders)) return *std::move(found);
-  require_known(name, ids_in(study_files(folders)), "study");
+  require_known(name, ids_in(known_study_files(folders)), "study");
   return {};
 }
 

@@ -53,12 +53,19 @@ struct MistypedCopy {
   std::string replaced = {};  ///< why its source replaced it; empty: it is mistyped
 };
 
+/// A work as a bibliography has it; what is not known is empty.
+struct CitedWork {
+  std::vector<std::string> authors = {};  ///< "Surname", "Surname, Given", or the name of a group
+  std::string title = {}, year = {}, howpublished = {}, note = {}, url = {};
+};
+
 /// One published set of constants of a form.
 struct PublishedSet {
   std::string form;                         ///< the id of a form
   PrintedValues given = {};                 ///< the given constants that it was published for; empty: any
   PrintedValues values;                     ///< one for each parameter
   std::string source;                       ///< author, year, title
+  std::optional<CitedWork> cite = {};       ///< the same in parts; empty: only the text is known
   std::vector<std::string> where = {};      ///< repositories and files that use it
   std::vector<ErrorClaim> claims = {};      ///< about its errors
   std::vector<MistypedCopy> variants = {};  ///< copies that differ

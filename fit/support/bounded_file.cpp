@@ -1,7 +1,10 @@
 #include "fit/support/bounded_file.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -56,6 +59,24 @@ void require_size(const std::filesystem::path& path, std::uintmax_t most_bytes) 
 
 std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_bytes) {
   return read_part(path, 0, size_within(path, most_bytes));
+}
+
+std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint) {
+  constexpr int pause_in_milliseconds = 50;  // Ctrl-C is noticed after it
+  std::string content;
+  std::array<char, 65536> part;
+  while (true) {
+    checkpoint();
+    pollfd ready{STDIN_FILENO, POLLIN, 0};
+    if (::poll(&ready, 1, pause_in_milliseconds) == 0) continue;
+    const ssize_t count = ::read(STDIN_FILENO, part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw UserError(fmt::format("cannot read standard input: {}", std::strerror(errno)));
+    if (count == 0) return content;
+    content.append(part.data(), static_cast<std::size_t>(count));
+    if (content.size() > most_bytes)
+      throw UserError(fmt::format("cannot read standard input: it has more than {} bytes", most_bytes));
+  }
 }
 
 }  // namespace shadefit
