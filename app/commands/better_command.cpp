@@ -78,7 +78,7 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
 
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (const auto study = chosen_study(options, checkpoint))
-    return better_study_command(*study, options, checkpoint, progress);
+    return with_picture(better_study_command(*study, options, checkpoint, progress), options);
   if (options.id.empty())
     throw UserError(
         "better needs a form, a constant, a study or --form (see 'shadefit list' and 'shadefit help better')");
@@ -102,7 +102,8 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
   const auto put = options.plot ? draw_picture(better_figure(comparisons.front()), *options.plot,
                                                options.force, checkpoint)
                                 : std::function<void()>();
-  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err, put};
+  return with_picture({err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err, put},
+                      options);
 }
 
 }  // namespace shadefit

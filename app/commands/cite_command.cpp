@@ -6,18 +6,6 @@
 #include "reports/rows/citation.hpp"
 
 namespace shadefit {
-namespace {
-
-/// The sources of the published sets, each once.
-std::vector<OthersText> sources_in(const StudyFile& study) {
-  std::vector<OthersText> sources;
-  for (const PublishedSet& set : study.published) {
-    if (std::ranges::find(sources, set.source) == sources.end()) sources.push_back(set.source);
-  }
-  return sources;
-}
-
-}  // namespace
 
 Outcome cite_command(const CiteOptions& options) {
   std::string out = bibtex_of_shadefit(SHADEFIT_VERSION);
@@ -30,7 +18,7 @@ Outcome cite_command(const CiteOptions& options) {
   const auto study = find_study(*options.id, folders);
   for (const std::string& id : study_ids(folders)) known.push_back(id);
   if (!study) require_known(*options.id, known, "claim, constant, family or study");
-  for (const std::string& entry : bibtex_of_texts(sources_in(*study))) out += "\n" + entry;
+  for (const std::string& entry : bibtex_of_sets(study->published)) out += "\n" + entry;
   return {0, out, ""};
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/commands/study_commands.hpp"
+#include "app/lint/explain_number.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"
@@ -140,6 +141,28 @@ std::string filters_of(const ListOptions& options) {
          (options.family ? fmt::format(" --family '{}'", *options.family) : "");
 }
 
+/// What a family is, and every claim on it.
+Outcome explain_family(const FittableFamily& family, const ExplainOptions& options,
+                       const Checkpoint& checkpoint) {
+  const std::string id(family.info.id), form = to_text(family.form()), target = to_text(family.target());
+  Fits fits;
+  const auto claims =
+      judge_claims([&](std::string_view claim) { return is_on(claim, id); }, fits, checkpoint);
+  if (options.json)
+    return {0,
+            json_text({{"schema", 1},
+                       {"family", id},
+                       {"title", family.info.title},
+                       {"form", form},
+                       {"target", target},
+                       {"claims", json_array(claims, explanation_json)}}),
+            ""};
+  std::string out = fmt::format("{}: {}\nForm: {}; {}\nTarget: {}\nNext: shadefit better {}\n", id,
+                                family.info.title, form, family.info.variables, target, id);
+  for (const JudgedClaim& judged : claims) out += "\n" + explanation(judged, options.terminal);
+  return {0, out, ""};
+}
+
 /// Keeps the rows whose id contains the text. Throws UserError if none does.
 void keep_only(Table& list, const std::string& text, const ListOptions& options) {
   std::erase_if(list.rows,
@@ -186,7 +209,7 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
     add_study(list, load_study(*options.id));
   } else if (!with_verdicts && !options.topic && !options.family) {
     add_forms_of_comparison(list);
-    const LoadedStudies studies = load_studies(study_files(study_folders(options.studies)));
+    const LoadedStudies studies = load_studies(known_study_files(study_folders(options.studies)));
     for (const StudyFile& study : studies.files) add_study(list, study);
     for (const std::string& line : studies.refused) err += fmt::format("shadefit: {}\n", line);
   }
@@ -199,18 +222,19 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
 
 Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress) {
-  const auto claims = claim_ids();
-  const bool is_claim = std::ranges::find(claims, claim_of(options.id)) != claims.end();
-  if (!is_claim) {
-    if (const auto study = find_study(options.id, study_folders(options.studies)))
-      return explain_study_command(*study, options, checkpoint, progress);
-  }
+  std::vector<std::string> known = claim_ids();
   const std::string claim = claim_of(options.id);
-  if (!is_claim &&
-      std::ranges::any_of(fittable_families(), [&](const auto& f) { return f.info.id == claim; }))
-    throw UserError(fmt::format(
-        "'{0}' is a family, not a claim: see 'shadefit list --family {0}' and 'shadefit better {0}'", claim));
-  require_known(claim, claim_ids(), "claim");
+  if (std::ranges::find(known, claim) == known.end()) {
+    const auto folders = study_folders(options.studies);
+    if (const auto study = find_study(options.id, folders))
+      return explain_study_command(*study, options, checkpoint, progress);
+    if (const FittableFamily* family = find_family(claim))
+      return explain_family(*family, options, checkpoint);
+    if (auto number = explain_number(options)) return *std::move(number);
+    for (const FittableFamily& family : fittable_families()) known.emplace_back(family.info.id);
+    for (const auto& path : known_study_files(folders)) known.push_back(path.stem().string());
+    require_known(claim, known, "claim, family or study");
+  }
   Fits fits;
   const JudgedClaim judged = judge_claims([&](std::string_view id) { return id == claim; }, fits).front();
   return {judged.finding.verdict ? 0 : 1,

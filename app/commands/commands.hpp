@@ -26,15 +26,17 @@ Outcome cite_command(const CiteOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
-/// A command as a line for a shell: "shadefit scene 'a b.mtl' --lang glsl".
-std::string shell_text(const std::vector<std::string>& words);
+/// The outcome with a line that names the picture of --plot; on standard error, where standard output is for
+/// a program.
+Outcome with_picture(Outcome outcome, const FitOptions& options);
 
-/// The same for a comment. Throws UserError for a word with line ends or control characters.
+/// A command as a line for a comment. Throws UserError for a word with line ends or control characters.
 std::string command_text(const std::vector<std::string>& words);
 
-/// Runs the command named in the comment of a generated file and compares the output: exit 1 if it would
-/// print something else now. The files of a scene are relative to the folder of `file`. Throws UserError if
-/// the file names no command.
-Outcome check_generated_file(const std::string& file, FindingFormat format, const Checkpoint& checkpoint);
+/// Runs the commands named in the comments of generated files and compares their output: exit 1 if one would
+/// print something else now. The files of a scene are relative to the folder of the generated file. Throws
+/// UserError if a file names no command.
+Outcome check_generated_files(const std::vector<std::string>& files, FindingFormat format,
+                              const Checkpoint& checkpoint);
 
 }  // namespace shadefit

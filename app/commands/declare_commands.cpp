@@ -39,7 +39,7 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
       options->words = words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--format",
-                                           "--shade", "--device", "--json", "--time-limit"});
+                                           "--shade", "--device", "--json", "--time-limit", "--plot"});
     if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
       call.outcome = run(*options, call.checkpoint, call.progress);
     } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
@@ -118,6 +118,7 @@ void declare_commands(CLI::App& app, Call& call) {
   add("emit", "a form as shader code, generated from its formula",
       "  shadefit emit fresnel-quadratic --lang glsl\n"
       "  shadefit emit sg-offset-mean --lang hlsl --name lobe --out lobe.hlsl\n"
+      "  shadefit emit acos-linear --better --lang wgsl\n"
       "  shadefit emit --check lobe.hlsl\n"
       "  shadefit emit --check lobe.hlsl --format github\n",
       declare_emit, emit_command);

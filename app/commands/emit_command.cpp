@@ -8,6 +8,8 @@
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "approx/ledger/catalogue.hpp"
+#include "fit/better/better_study.hpp"
+#include "fit/better/prove_contenders.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
@@ -65,7 +67,7 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
   const Checkpoint next = stepping(checkpoint, progress, "emit", settings.size());
   for (const Setting& setting : settings) {
     next();
-    proven.chosen = chosen_constants(options.parameters, named, setting, metric);
+    proven.chosen = chosen_constants(options.parameters, named, setting, metric, options.fit, checkpoint);
     if (settings.size() > 1 && !options.parameters && proven.chosen.from == "fitted")
       throw UserError(fmt::format(
           "emit '{}' needs --exponent with one exponent: fitted constants are for one", options.fit.id));
@@ -100,8 +102,10 @@ std::string constants_text(const Constants& constants) {
 
 /// The origin of the constants: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
 /// fitted.
-std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric) {
-  if (chosen.from == "fitted") return "fitted: " + headline(metric);
+std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric,
+                      const std::optional<NumberFormat>& round) {
+  if (chosen.from == "fitted")
+    return "fitted: " + headline(metric) + (round ? ", rounded to " + to_text(*round) : "");
   if (chosen.from == "given") return "given";
   for (const Published& p : published_constants) {
     const bool is_it = named.published != nullptr ? &p == named.published
@@ -142,7 +146,8 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
 
   const std::vector<OthersText> facts{
       fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
-      fmt::format("{} ({})", constants_text(subject.parameters), origin_of(named, proven.chosen, metric)),
+      fmt::format("{} ({})", constants_text(subject.parameters),
+                  origin_of(named, proven.chosen, metric, options.fit.round)),
       fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
                   decimal_above(proven.upper, 4), subject.domain.lower, subject.domain.upper,
                   family.has_exponent() ? exponents_text(settings) : ""),
@@ -175,6 +180,26 @@ std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint
                      largest_error(read, values).magnitude, ranges);
 }
 
+/// The set that `better` says to use in place of the first published one.
+ChosenStudySubject better_subject(const StudyFile& file, const Study& study, const EmitOptions& options,
+                                  const Checkpoint& checkpoint) {
+  const std::string asks_for_fit = option_of_fits(options.fit.present);
+  if (options.parameters || !asks_for_fit.empty())
+    throw UserError(fmt::format("--better does not go with {}: it names the constants",
+                                options.parameters ? "--parameters" : asks_for_fit));
+  const StudyComparison comparison = compare_study(file, study, checkpoint, keep_going, Judged::no);
+  const StudyContender* published = first_published(comparison);
+  if (published == nullptr)
+    throw UserError("--better needs a published set to start from: the study has none");
+  const StudyContender* best = better_at_the_same_cost(comparison, *published);
+  if (best == nullptr)
+    throw UserError(fmt::format(
+        "--better: no set of '{0}' errs less than the published one at no more cost and keeps its properties: see 'shadefit better {0}'",
+        options.fit.id));
+  return {subject_of(study, *best), "fitted",
+          fmt::format("fitted: {}; better than {}", best->origin, published->origin)};
+}
+
 std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint) {
   const std::string id = file.id.empty() ? "approximation" : file.id;
   const std::string name = function_name(id, options);
@@ -183,7 +208,9 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
     throw UserError(
         fmt::format("'{}' has {} values of its given constants: name one by --given", id, studies.size()));
   const auto [subject, from, origin] =
-      chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
+      options.better
+          ? better_subject(file, studies.front(), options, checkpoint)
+          : chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
   const Study& study = subject.study;
   const ReadStudy read = read_formulas(study);
   if (integral_depth(read.form) > 0)
@@ -201,11 +228,11 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
 }  // namespace
 
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.check) {
+  if (!options.check.empty()) {
     if (!options.fit.id.empty() || options.language)
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
-                                  *options.check));
-    return check_generated_file(*options.check, options.format, checkpoint);
+                                  options.check.front()));
+    return check_generated_files(options.check, options.format, checkpoint);
   }
   if (options.fit.id.empty() && !options.fit.study.form)
     throw UserError("emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
@@ -217,6 +244,8 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
     throw UserError("--table '-' does not go with emit: the code names its table, for --check");
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const auto study = chosen_study(options.fit, checkpoint);
+  if (options.better && !study)
+    throw UserError(fmt::format("--better is for a study: see 'shadefit better {}'", options.fit.id));
   const std::string code =
       study ? study_code(*study, options, checkpoint) : code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};

@@ -137,9 +137,19 @@ void require_feasible(const Refit& refit) {
 
 }  // namespace
 
+Outcome with_picture(Outcome outcome, const FitOptions& options) {
+  if (!options.plot) return outcome;
+  const std::string file = printable(*options.plot);
+  if (options.json || options.csv || options.latex)
+    outcome.err += fmt::format("shadefit: picture: {}\n", file);
+  else
+    outcome.out += fmt::format("Picture: {}\n", file);
+  return outcome;
+}
+
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (const auto study = chosen_study(options, checkpoint))
-    return study_command(*study, options, checkpoint, progress);
+    return with_picture(study_command(*study, options, checkpoint, progress), options);
   if (options.id.empty())
     throw UserError(
         "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
@@ -162,7 +172,8 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
   const auto put = options.plot ? draw_picture(fit_figure(refit), *options.plot, options.force, checkpoint)
                                 : std::function<void()>();
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err, put};
+  return with_picture({err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err, put},
+                      options);
 }
 
 }  // namespace shadefit

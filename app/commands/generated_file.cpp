@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/commands/command_line.hpp"
+#include "app/options/option_values.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/utf8.hpp"
@@ -88,22 +89,6 @@ findings::FindingReport code_findings(const std::string& file, std::optional<int
 
 }  // namespace
 
-std::string shell_text(const std::vector<std::string>& words) {
-  std::string text = "shadefit";
-  for (const std::string& word : words) {
-    // POSIX's portable characters of file names, and others without a meaning for a shell. Words with any
-    // other character are quoted.
-    constexpr std::string_view plain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-      text += " " + word;
-      continue;
-    }
-    text += " '" + boost::replace_all_copy(word, "'", "'\\''") + "'";
-  }
-  return text;
-}
-
 std::string command_text(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (printable(word) != word)
@@ -133,19 +118,35 @@ std::vector<std::string> from_here(std::vector<std::string> words, const std::fi
   return words;
 }
 
-Outcome check_generated_file(const std::string& file, FindingFormat format, const Checkpoint& checkpoint) {
-  // A checkout may have changed the line ends.
-  const std::string code = boost::replace_all_copy(read_file(file), "\r\n", "\n");
-  const std::vector<std::string> command = command_in(code, file);
-  Outcome now = run_command_line(from_here(command, std::filesystem::path(file).parent_path()), checkpoint);
-  if (!now.err.empty()) return now;
-  if (command.front() == "scene") now.out = with_command_of(now.out, code);
-  const auto line = now.out == code ? std::nullopt : std::optional(first_difference(code, now.out));
-  if (format != FindingFormat::text) return outcome_of(code_findings(file, line), format);
-  if (!line) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
-  return {1, "",
-          fmt::format("shadefit: {} is out of date: line {} is not what shadefit generates now\n",
-                      printable(file), *line)};
+Outcome check_generated_files(const std::vector<std::string>& files, FindingFormat format,
+                              const Checkpoint& checkpoint) {
+  Outcome all;
+  std::optional<findings::FindingReport> report;
+  for (const std::string& file : files) {
+    // A checkout may have changed the line ends.
+    const std::string code = boost::replace_all_copy(read_file(file), "\r\n", "\n");
+    const std::vector<std::string> command = command_in(code, file);
+    Outcome now = run_command_line(from_here(command, std::filesystem::path(file).parent_path()), checkpoint);
+    all.exit_code = std::max(all.exit_code, now.exit_code);
+    all.err += now.err;
+    if (!now.err.empty()) continue;
+    if (command.front() == "scene") now.out = with_command_of(now.out, code);
+    const auto line = now.out == code ? std::nullopt : std::optional(first_difference(code, now.out));
+    if (line) all.exit_code = std::max(all.exit_code, 1);
+    if (format != FindingFormat::text) {
+      const findings::FindingReport one = code_findings(file, line);
+      if (!report) report = findings::FindingReport{one.command, one.rules, {}, 0, one.checked_words};
+      report->findings.insert(report->findings.end(), one.findings.begin(), one.findings.end());
+      ++report->checked;
+    } else if (line) {
+      all.err += fmt::format("shadefit: {} is out of date: line {} is not what shadefit generates now\n",
+                             printable(file), *line);
+    } else {
+      all.out += fmt::format("{} is what would be generated now\n", printable(file));
+    }
+  }
+  if (report) all.out = findings::write_findings(*report, format);
+  return all;
 }
 
 }  // namespace shadefit

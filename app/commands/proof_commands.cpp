@@ -84,7 +84,8 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   std::string err;
   for (const Setting& setting : settings) {
     next();
-    const ChosenSubject chosen = chosen_constants(options.parameters, named, setting, metric);
+    const ChosenSubject chosen =
+        chosen_constants(options.parameters, named, setting, metric, options.fit, checkpoint);
     forms.push_back({certify(chosen.subject, width, checkpoint), chosen.from});
     const std::string at =
         setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : std::string();

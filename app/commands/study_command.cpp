@@ -143,6 +143,22 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
   return extras;
 }
 
+/// A row for each fit. A fit of measured rows has a table of its own, with its errors in a comment.
+std::string latex_text(const StudyFile& file, const std::vector<FittedStudy>& studies, int digits) {
+  const std::vector<std::string> names = formula_inputs(studies.front().read);
+  const auto latex = [&](const Table& table) {
+    return write_latex(with_digits(table, digits), Precision::report, names);
+  };
+  if (!file.study.rows) return latex(study_table(studies));
+  return joined(studies, "\n", [&](const FittedStudy& study) {
+    const std::string given = given_text(study.asked());
+    return fmt::format("% {}{}: {}, rms error {:.4g}, largest residual {:.4g}\n", one_line(study_headline(study)),
+                       given.empty() ? "" : ", " + given, name(study.fit.status), study.fit.rms_error,
+                       study.fit.max_abs_error.magnitude) +
+           latex(parameters_table(study));
+  });
+}
+
 /// A table of the proofs of those fits that converged.
 std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, const Terminal& terminal) {
   std::vector<ProvenStudy> proofs;
@@ -196,13 +212,9 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
     return {code, json_text_of_each(json), err, put};
   }
   Table table = study_table(studies);
-  if (file.study.rows && (options.csv || options.latex)) add_uncertainty_columns(table, studies);
+  if (options.csv && file.study.rows) add_uncertainty_columns(table, studies);
   if (options.csv) return {code, write_csv(table, Precision::full), err, put};
-  if (options.latex)
-    return {code,
-            write_latex(with_digits(table, options.digits), Precision::report,
-                        formula_inputs(studies.front().read)),
-            err, put};
+  if (options.latex) return {code, latex_text(file, studies, options.digits), err, put};
   std::string out = console_text(file, studies, options.terminal);
   out += proofs_block(proofs, options.terminal);
   if (options.round) out += study_roundings_text(studies, rounded, options.terminal);

@@ -1,6 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <sstream>
+
+#include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
+#include "app/options/option_values.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/find_study.hpp"
@@ -31,6 +36,22 @@ std::string console_text(const StudyComparison& comparison, const Terminal& term
   return for_terminal(target_of(comparison)) + "\n" +
          write_console(study_comparison_table(comparison), Precision::report, terminal) +
          left_out_lines(comparison.left_out);
+}
+
+/// What to use, and the command that emits it: that of the call, with `emit` in place of `better`.
+std::string advice_of(const StudyComparison& comparison, bool is_one_of_several, const FitOptions& options) {
+  std::vector<std::string> words = options.words;
+  words.front() = "emit";
+  for (const auto& [constant, value] : comparison.study.given)
+    if (is_one_of_several) words.insert(words.end(), {"--given", constant + "=" + value});
+  words.insert(words.end(), {"--better", "--lang", "glsl"});
+  const std::string advice = advice_text(comparison, shell_text(words));
+  if (options.terminal.width == 0) return advice;
+  std::string lines;
+  std::istringstream stream(advice);
+  for (std::string line; std::getline(stream, line);)
+    lines += fmt::format("{}\n", fmt::join(folded(line, options.terminal.width), "\n"));
+  return lines;
 }
 
 /// The variables and parameters of all contenders.
@@ -95,7 +116,9 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
   if (options.csv) return {0, write_csv(study_comparisons_table(comparisons), Precision::full), "", put};
   if (options.json) return {0, json_text_of_each(json_array(comparisons, study_comparison_json)), "", put};
   const auto shown = [&](const StudyComparison& comparison) {
-    if (!options.latex) return console_text(comparison, options.terminal);
+    if (!options.latex)
+      return advice_of(comparison, comparisons.size() > 1, options) +
+             console_text(comparison, options.terminal);
     return write_latex(with_digits(study_comparison_table(comparison), options.digits), Precision::report,
                        names_in(comparison));
   };

@@ -57,13 +57,10 @@ LintOptions with_config(LintOptions options, lint::TreeOptions& tree) {
   return options;
 }
 
-/// All published sets: those of the studies, and exact constants, which stand in the folder `exact` beside
-/// them. `refused` gets a line for each study that could not be read.
+/// All published sets: those of the studies and the exact constants. `refused` gets a line for each study
+/// that could not be read.
 lint::KnownConstants known_constants(const StudyFolders& given, std::vector<std::string>& refused) {
-  std::vector<fs::path> folders = study_folders(given);
-  const std::size_t count = folders.size();
-  for (std::size_t i = 0; i < count; ++i) folders.push_back(folders[i] / "exact");
-  LoadedStudies studies = load_studies(study_files(folders));
+  LoadedStudies studies = load_studies(known_study_files(study_folders(given)));
   refused = std::move(studies.refused);
   return lint::KnownConstants(lint::known_sets(studies.files));
 }
@@ -178,10 +175,44 @@ std::string words_of(const std::vector<FixedFile>& files) {
                      counted(std::ssize(files), "file"));
 }
 
-Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown,
-                  findings::FindingFormat format) {
+lint::LintedTree lint_standard_input(const LintOptions& options, const lint::KnownConstants& known,
+                                     const lint::EffectLimits& limits, const Checkpoint& checkpoint) {
+  if (options.paths.size() > 1)
+    throw UserError("'-' reads standard input: it goes with no other PATH (a file of this name is './-')");
+  if (options.fix || options.diff)
+    throw UserError("--fix and --diff change files: they do not go with '-', standard input");
+  if (options.languages.size() > 1) throw UserError("'-' has one --language");
+  const lint::SourceLanguage language =
+      options.languages.empty() ? lint::SourceLanguage::glsl : options.languages.front();
+  const std::string text = read_standard_input(lint::largest_source, checkpoint);
+  lint::LintedTree linted{.sites = {}, .files = 1, .bytes = text.size()};
+  linted.sites = lint_source("<stdin>", text, language, known, limits, checkpoint, &linted.skipped);
+  return linted;
+}
+
+/// What a reader may do about the findings: commands to copy. `paths` are those of the command line.
+std::string next_steps(const LintAdvice& advice, const std::vector<std::string>& paths,
+                       const StudyFolders& studies) {
+  if (advice.id.empty()) return "";
+  std::string text = fmt::format("Next: shadefit explain {}\n", advice.id);
+  if (!advice.fix.empty() && paths != std::vector<std::string>{"-"}) {
+    std::vector<std::string> words{"lint"};
+    words.insert(words.end(), paths.begin(), paths.end());
+    words.insert(words.end(), {"--fix", advice.fix});
+    text += fmt::format("      {} (with --diff it only shows the change)\n", shell_text(words));
+  }
+  const bool is_exact = std::ranges::any_of(study_folders(studies), [&](const fs::path& folder) {
+    return fs::exists(folder / "exact" / (advice.id + ".toml"));
+  });
+  return is_exact ? text : text + fmt::format("      shadefit better {}\n", advice.id);
+}
+
+Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown, const LintOptions& given) {
+  const findings::FindingFormat format = given.format;
   const findings::FindingReport report = lint_findings(linted, shown);
   std::string out = write_findings(report, format);
+  if (format == findings::FindingFormat::text)
+    out += next_steps(lint_advice(linted, shown), given.paths, given.studies);
   std::string warnings = warnings_of(linted.skipped);
   if (const std::string skipped = skipped_words(linted.skipped); !skipped.empty()) {
     // The formats for programs have no place for it.
@@ -195,8 +226,15 @@ Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown
 
 }  // namespace
 
+lint::KnownConstants known_constants(const StudyFolders& given) {
+  std::vector<StudyFile> studies;
+  for (const auto& path : known_study_files(study_folders(given))) studies.push_back(load_study(path));
+  return lint::KnownConstants(lint::known_sets(studies));
+}
+
 void declare_lint(CLI::App& lint, LintOptions& options) {
-  lint.add_option("paths", options.paths, "files and folders (default: `paths` of .shadefit.toml)")
+  lint.add_option("paths", options.paths,
+                  "files and folders (default: `paths` of .shadefit.toml); '-' reads standard input")
       ->type_name("PATH");
   add_finding_format(lint, options.format, true);
   Choices<std::string> grades;
@@ -215,7 +253,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   add_values(lint, "--exclude", options.exclude, parse_text, "GLOB",
              "leave these files out, as .gitignore does; may be repeated");
   add_values(lint, "--language", options.languages, parse_choice(by_name(lint::source_languages)), "NAME",
-             "only files of this language; may be repeated");
+             "only files of this language; may be repeated; of standard input its language (default: glsl)");
   add_values(lint, "--studies", options.studies, parse_text, "DIR",
              "also guard the constants of the studies in this folder; may be repeated");
   const auto scope = [parse = parse_choice(by_name(lint::fix_scopes))](const std::string& option,
@@ -247,6 +285,8 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   limits.of_all = options.max_effect;
   std::vector<std::string> refused;
   const lint::KnownConstants known = known_constants(options.studies, refused);
+  if (std::ranges::find(options.paths, "-") != options.paths.end())
+    return report_of(lint_standard_input(options, known, limits, checkpoint), shown, given);
   progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
   const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
@@ -254,7 +294,7 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
       lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
   progress("");
   linted.skipped.messages.insert(linted.skipped.messages.begin(), refused.begin(), refused.end());
-  if (!options.fix && !options.diff) return report_of(linted, shown, options.format);
+  if (!options.fix && !options.diff) return report_of(linted, shown, given);
   const std::vector<FixedFile> files = fixed_files(linted, options.fix.value_or(lint::FixScope::pins));
   if (options.diff) {
     std::string diffs;
@@ -262,7 +302,7 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     return {diffs.empty() ? 0 : 1, diffs, warnings_of(linted.skipped)};
   }
   judge_again(linted, files, sources, known, limits, checkpoint);
-  Outcome outcome = report_of(linted, shown, options.format);
+  Outcome outcome = report_of(linted, shown, given);
   if (files.empty()) return outcome;
   outcome.err += words_of(files);
   outcome.put = prepare_files(files, checkpoint);

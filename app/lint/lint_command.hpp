@@ -10,10 +10,12 @@
 #include "app/terminal/progress.hpp"
 #include "lint/fix/fixes.hpp"
 #include "lint/grade/grade.hpp"
+#include "lint/lint_text.hpp"
 #include "lint/tree/source_language.hpp"
 #include "reports/findings/finding.hpp"
 
-/// `shadefit lint PATH..`: finds published constants in source trees and grades them.
+/// `shadefit lint PATH..`, or '-' for standard input: finds published constants in source trees and grades
+/// them.
 namespace shadefit {
 
 /// What is not given comes from .shadefit.toml, then from these defaults.
@@ -30,6 +32,9 @@ struct LintOptions {
   std::optional<lint::FixScope> fix;
   bool diff = false;  ///< of the files, in place of writing them
 };
+
+/// All published sets: those of the studies, of exact constants, and of the built-in families.
+lint::KnownConstants known_constants(const StudyFolders& given);
 
 void declare_lint(CLI::App& lint, LintOptions& options);
 

@@ -119,6 +119,12 @@ void add_subject(CLI::App& command, FitOptions& options) {
       ->type_name("WORD");
 }
 
+CLI::Option* add_round(CLI::App& command, FitOptions& options) {
+  const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
+  return add_value(command, "--round", options.round, round, "float|half|bfloat16|decimal:N",
+                   "the best constants in this number format, for a form that is evaluated in it");
+}
+
 /// Adds the options of a study. Named studies take them too, instead of what the file says.
 void add_study(CLI::App& command, FitOptions& options) {
   add_studies(command, options.studies);
@@ -225,13 +231,11 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   add_json(fit, options.json);
   add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
   add_digits(fit, options.digits);
-  const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
   const std::array extras{
       fit.add_flag(
           "--certify", options.certify,
           "prove bounds of the largest error, that the fit is a minimum, and that the curve is monotone"),
-      add_value(fit, "--round", options.round, round, "float|half|bfloat16|decimal:N",
-                "also the best constants in this number format, for a form that is evaluated in it"),
+      add_round(fit, options),
       fit.add_flag(
           "--sensitivity", options.sensitivity,
           "also how many digits of each constant matter, and the fit under other measures and domains")};
@@ -296,17 +300,26 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   add_metric(emit, options.fit);
   add_target_or_formula(emit, options.fit, "schlick");
   add_study(emit, options.fit);
+  add_constraints(emit, options.fit.metric);
+  add_round(emit, options.fit);
+  emit.add_flag(
+      "--better", options.better,
+      "the set of a study that 'shadefit better' names: the smallest error at no more cost that keeps "
+      "the properties of the published set");
   add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
   add_force(emit, options.force);
-  auto* check = add_value(emit, "--check", options.check, parse_text, "FILE",
-                          "exit 1 unless shadefit would generate this file again as it is");
+  auto* check = add_values(emit, "--check", options.check, parse_text, "FILE",
+                           "exit 1 unless shadefit would generate these files again as they are")
+                    ->allow_extra_args();
   add_finding_format(emit, options.format, true)->needs(check);
 }
 
 void declare_explain(CLI::App& explain, ExplainOptions& options) {
-  explain.add_option("id", options.id, "a claim (see 'shadefit list'), a constant of one, or a study")
+  explain
+      .add_option("id", options.id,
+                  "a claim (see 'shadefit list'), a constant of one, a family, a study, or a number")
       ->required()
       ->type_name("CLAIM");
   add_studies(explain, options.studies);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "fit/formula/parse_formula.hpp"
 #include "fit/least_squares/weight.hpp"
 #include "fit/ledger/ledger.hpp"
+#include "fit/rounding/rounding.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/known.hpp"
@@ -216,9 +218,21 @@ std::string headline(const Metric& metric) {
                   : "least squares, measure: " + describe(metric);
 }
 
+std::string option_of_fits(const std::set<std::string>& present) {
+  constexpr std::array all{"--norm",    "--start",    "--fix",      "--exact-at", "--one-sided",
+                           "--at-most", "--at-least", "--monotone", "--round"};
+  const auto found = std::ranges::find_if(all, [&](const char* option) { return present.contains(option); });
+  return found == all.end() ? "" : *found;
+}
+
 ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
-                               const Setting& setting, const Metric& metric) {
+                               const Setting& setting, const Metric& metric, const FitOptions& options,
+                               const Checkpoint& checkpoint) {
   const FittableFamily& family = *named.family;
+  const bool has_weight = options.present.contains("--weight");  // no proof of a family has one
+  const std::string asks_for_fit = has_weight ? "--weight" : option_of_fits(options.present);
+  if (parameters && !asks_for_fit.empty())
+    throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
   Subject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
   if (parameters) {
     const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
@@ -226,18 +240,22 @@ ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, cons
     return {subject, "given"};
   }
   for (const std::string_view parameter : family.parameters) {
-    if (const Published* p = published_for(family, parameter, setting, named.published))
-      subject.parameters.emplace_back(parameter, p->printed);
+    const Published* p = published_for(family, parameter, setting, named.published);
+    if (asks_for_fit.empty() && p != nullptr) subject.parameters.emplace_back(parameter, p->printed);
   }
   if (subject.parameters.size() == family.parameters.size()) return {subject, "published"};
   const Fit fit = family.fit(setting, metric);
   if (fit.status != Status::converged) {
-    throw UserError(fmt::format(
-        "{}{}: nothing was published for it and its fit did not converge{}: give --parameters",
-        family.info.id, family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : "",
-        fit.why.empty() ? "" : fmt::format(" ({})", fit.why)));
+    throw UserError(fmt::format("{}{}: its fit did not converge{}: give --parameters", family.info.id,
+                                family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : "",
+                                fit.why.empty() ? "" : fmt::format(" ({})", fit.why)));
   }
-  return {subject_of(fit, metric.error), "fitted"};
+  subject = subject_of(fit, metric.error);
+  if (options.round) {
+    const std::vector<std::string> texts = round_fit(fit, *options.round, {}, checkpoint).best.texts;
+    for (std::size_t i = 0; i < texts.size(); ++i) subject.parameters[i].second = texts[i];
+  }
+  return {subject, "fitted"};
 }
 
 }  // namespace shadefit

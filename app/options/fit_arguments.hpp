@@ -51,9 +51,14 @@ struct ChosenSubject {
   std::string_view from;  ///< the origin of its values: given, published or fitted
 };
 
-/// The given `parameters`; without them the parameters published for that setting; if one of these is
-/// missing, those of a fit. Throws UserError if the fit did not converge.
+/// The first of these options that counts for a fit alone, as a text; empty without any.
+std::string option_of_fits(const std::set<std::string>& present);
+
+/// The given `parameters`; without them the parameters published for that setting, unless an option of a fit
+/// is present; if one of these is missing, those of a fit, rounded if that is asked. Throws UserError if the
+/// fit did not converge.
 ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
-                               const Setting& setting, const Metric& metric);
+                               const Setting& setting, const Metric& metric, const FitOptions& options,
+                               const Checkpoint& checkpoint);
 
 }  // namespace shadefit

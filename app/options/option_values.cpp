@@ -1,6 +1,7 @@
 #include "app/options/option_values.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -183,10 +184,27 @@ std::vector<std::string> words_of(const CLI::App& command, const std::vector<std
     for (const std::string& value : option->results()) {
       if (value == option->get_default_str()) continue;
       if (!option->get_positional()) words.push_back(option_name);
-      words.push_back(value);
+      const bool is_flag = option->get_items_expected_max() == 0;
+      if (!is_flag) words.push_back(value);
     }
   }
   return words;
+}
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string text = "shadefit";
+  for (const std::string& word : words) {
+    // POSIX's portable characters of file names, and others without a meaning for a shell. Words with any
+    // other character are quoted.
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+      text += " " + word;
+      continue;
+    }
+    text += " '" + boost::replace_all_copy(word, "'", "'\\''") + "'";
+  }
+  return text;
 }
 
 CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool has_places) {

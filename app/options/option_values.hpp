@@ -124,4 +124,7 @@ bool looks_like_an_option(const CLI::Option& of, const std::string& text);
 /// and options with default values.
 std::vector<std::string> words_of(const CLI::App& command, const std::vector<std::string>& without);
 
+/// A command as a line for a shell: "shadefit scene 'a b.mtl' --lang glsl".
+std::string shell_text(const std::vector<std::string>& words);
+
 }  // namespace shadefit

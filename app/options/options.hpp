@@ -67,6 +67,7 @@ struct FitOptions {
   std::optional<std::string> plot = {};  ///< a file for the picture of the fit
   bool force = false;                    ///< as in `RunOptions`
   std::set<std::string> present = {};    ///< the options on the command line
+  std::vector<std::string> words = {};   ///< of the command line, but for its output
   Terminal terminal = {};
 };
 
@@ -89,7 +90,8 @@ struct EmitOptions {
   std::optional<std::string> name = {};        ///< of the function; empty: the family's
   std::optional<std::string> out = {};         ///< a file; empty: printed
   bool force = false;                          ///< as in `RunOptions`
-  std::optional<std::string> check = {};       ///< a generated file
+  bool better = false;                         ///< the set that is better than the published one
+  std::vector<std::string> check = {};         ///< generated files
   FindingFormat format = FindingFormat::text;  ///< of what `check` prints
   std::vector<std::string> words = {};         ///< of the command that prints this code, for its comment
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
 
 #include "app/output/output_file.hpp"
@@ -51,6 +52,10 @@ void require_picture(const std::string& file) {
   const bool is_known =
       std::ranges::any_of(endings, [&](std::string_view ending) { return file.ends_with(ending); });
   if (!is_known) throw UserError(fmt::format("--plot '{}' must end with .svg, .pdf or .png", file));
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (std::error_code none; !folder.empty() && !std::filesystem::is_directory(folder, none))
+    throw UserError(
+        fmt::format("--plot '{}' names no folder that is there: make '{}' first", file, folder.string()));
   if (!find_gnuplot())
     throw UserError(fmt::format("--plot '{}' needs gnuplot: install the package gnuplot-nox", file));
 }

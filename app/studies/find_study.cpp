@@ -122,6 +122,12 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
   return files;
 }
 
+std::vector<fs::path> known_study_files(std::vector<fs::path> folders) {
+  const std::size_t count = folders.size();
+  for (std::size_t i = 0; i < count; ++i) folders.push_back(folders[i] / "exact");
+  return study_files(folders);
+}
+
 std::vector<std::string> study_ids(const std::vector<fs::path>& folders) {
   std::vector<std::string> ids;
   for (const fs::path& file : study_files(folders)) ids.push_back(file.stem().string());
@@ -169,7 +175,7 @@ LoadedStudies load_studies(const std::vector<fs::path>& paths) {
 
 std::optional<StudyFile> find_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (name.ends_with(".toml")) return load_study(name);
-  for (const fs::path& file : study_files(folders)) {
+  for (const fs::path& file : known_study_files(folders)) {
     if (file.stem() == name) return load_study(file);
   }
   return std::nullopt;

@@ -19,6 +19,9 @@ std::vector<std::filesystem::path> study_folders(const std::vector<std::string>&
 /// The files NAME.toml of these folders, by rising name. A name that a folder before has is left out.
 std::vector<std::filesystem::path> study_files(const std::vector<std::filesystem::path>& folders);
 
+/// The same, and those of exact constants, which stand in the folder `exact` of each: what `lint` knows.
+std::vector<std::filesystem::path> known_study_files(std::vector<std::filesystem::path> folders);
+
 /// The ids of the studies in these folders, rising.
 std::vector<std::string> study_ids(const std::vector<std::filesystem::path>& folders);
 

@@ -201,9 +201,35 @@ MistypedCopy read_variant(const TomlReader& reader, const toml::table& table,
   return copy;
 }
 
+/// The parts of a source. An author is a text, several are a list.
+CitedWork read_cited(const TomlReader& reader, const toml::table& cite) {
+  reader.require_keys(cite, {"author", "title", "year", "howpublished", "note", "url"});
+  CitedWork work{.title = reader.optional(cite, "title"),
+                 .year = reader.optional(cite, "year"),
+                 .howpublished = reader.optional(cite, "howpublished"),
+                 .note = reader.optional(cite, "note"),
+                 .url = reader.optional(cite, "url")};
+  const toml::node* author = cite.get("author");
+  if (author != nullptr && !author->is_array()) {
+    work.authors = {reader.text(*author, "author")};
+  } else {
+    for (const toml::node* one : reader.list(cite, "author"))
+      work.authors.push_back(reader.text(*one, "author"));
+  }
+  if (work.authors.empty() && work.title.empty()) reader.fail(cite, "'cite' needs an author or a title");
+  const auto is_of_address = [](char c) {
+    return '!' < c && c <= '~' && std::string_view("{}\\<>^`\"|").find(c) == std::string_view::npos;
+  };
+  const bool is_address = work.url.starts_with("https://") || work.url.starts_with("http://");
+  if (!work.url.empty() && !(is_address && std::ranges::all_of(work.url, is_of_address)))
+    reader.fail(*cite.get("url"),
+                fmt::format("url '{}' is not an address: http:// or https://, without spaces", work.url));
+  return work;
+}
+
 PublishedSet read_published(const TomlReader& reader, const toml::table& table, const StudyFile& file) {
   const std::vector<StudyForm>& forms = file.forms;
-  reader.require_keys(table, {"form", "given", "values", "source", "where", "claim", "variants"});
+  reader.require_keys(table, {"form", "given", "values", "source", "cite", "where", "claim", "variants"});
   PublishedSet set{.form = reader.optional(table, "form", forms.front().id), .values = {}, .source = {}};
   const bool is_known = std::ranges::find(forms, set.form, &StudyForm::id) != forms.end();
   if (!is_known) reader.fail(table, fmt::format("published form '{}' is not the id of a form", set.form));
@@ -216,6 +242,7 @@ PublishedSet read_published(const TomlReader& reader, const toml::table& table, 
   if (set.values.empty()) reader.fail(table, "the key 'values' is missing");
   set.source = reader.required(table, "source");
   if (set.source.empty()) reader.fail(*table.get("source"), "the source is empty: name author, year, title");
+  if (const toml::node* cite = table.get("cite")) set.cite = read_cited(reader, reader.table(*cite, "cite"));
   for (const toml::node* place : reader.list(table, "where"))
     set.where.push_back(reader.text(*place, "where"));
   set.claims = read_claims(reader, table, file.study.over);

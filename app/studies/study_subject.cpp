@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
+#include "app/options/fit_arguments.hpp"
+#include "fit/rounding/round_study.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/study_verdict.hpp"
@@ -15,12 +16,8 @@ namespace shadefit {
 namespace {
 
 /// The first option on the command line that counts for a fit alone, or an empty text.
-std::string option_of_fits(const FitOptions& options) {
-  constexpr std::array all{"--norm",      "--start",   "--fix",      "--exact-at",
-                           "--one-sided", "--at-most", "--at-least", "--monotone"};
-  const auto found =
-      std::ranges::find_if(all, [&](const char* option) { return options.present.contains(option); });
-  if (found != all.end()) return *found;
+std::string option_of_study_fit(const FitOptions& options) {
+  if (const std::string found = option_of_fits(options.present); !found.empty()) return found;
   for (const StudyRange& range : options.study.over) {
     if (range.density != "1") return fmt::format("--over '{}' with a density", range.variable);
   }
@@ -44,9 +41,16 @@ Constants constants_of(const Study& study, const StudyFit& fit) {
   return constants;
 }
 
-Constants fitted_constants(const StudyObjective& objective, const Checkpoint& checkpoint) {
+Constants fitted_constants(const StudyObjective& objective, const std::optional<NumberFormat>& round,
+                           const Checkpoint& checkpoint) {
   const StudyFit fit = fit_study(objective, checkpoint);
-  if (fit.status == Status::converged) return constants_of(objective.study, fit);
+  if (fit.status == Status::converged) {
+    Constants constants = constants_of(objective.study, fit);
+    if (!round) return constants;
+    const std::vector<std::string> texts = round_study(objective, fit, *round, checkpoint).best.texts;
+    for (std::size_t i = 0; i < texts.size(); ++i) constants[i].second = texts[i];
+    return constants;
+  }
   const std::string given = given_text(objective.study);
   throw UserError(fmt::format("the fit{}{} is {}: {}; give --parameters", given.empty() ? "" : " of ", given,
                               name(fit.status), fit.why));
@@ -73,7 +77,7 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
     if (!fault.empty()) throw UserError(fault);
     return result;
   };
-  const std::string asks_for_fit = option_of_fits(options);
+  const std::string asks_for_fit = option_of_study_fit(options);
   if (parameters && !asks_for_fit.empty())
     throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
   if (parameters) return chosen(*parameters, "given", std::string("given"));
@@ -83,7 +87,9 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
       return chosen(set.values, "published", "published: " + set.source);
   }
   const StudyObjective objective = objective_of(whole, file.norm, file.constraints);
-  return chosen(fitted_constants(objective, checkpoint), "fitted", "fitted: " + objective.words);
+  return chosen(
+      fitted_constants(objective, options.round, checkpoint), "fitted",
+      "fitted: " + objective.words + (options.round ? ", rounded to " + to_text(*options.round) : ""));
 }
 
 }  // namespace shadefit

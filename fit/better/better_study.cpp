@@ -74,7 +74,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, OthersTex
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
-                      const Checkpoint& checkpoint, const Checkpoint& next) {
+                      const Checkpoint& checkpoint, const Checkpoint& next, Judged judged) {
   const Study study = with_form(comparison.study, form);
   const ReadStudy read = read_study(study);
   for (const PublishedSet& set : file.published) {
@@ -85,6 +85,10 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     for (const std::string& text : printed) values.push_back(constant<double>(text));
     StudyContender contender = contender_of(form, study, set.source, values, printed, checkpoint);
     contender.published = &set;
+    if (judged == Judged::no) {
+      comparison.contenders.push_back(contender);
+      continue;
+    }
     // Several sources may print the same digits.
     const auto same = std::ranges::find_if(comparison.contenders, [&](const StudyContender& other) {
       return other.form == form.id && other.printed == printed;
@@ -256,12 +260,12 @@ std::size_t steps_to_compare(const StudyFile& file, const Study& study) {
 }
 
 StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint,
-                              const Checkpoint& next) {
+                              const Checkpoint& next, Judged judged) {
   StudyComparison comparison{.study = study, .error = error_of(study), .is_encoded = file.is_encoded};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
     const bool is_first = comparison.contenders.empty();
-    append_published(comparison, file, form, checkpoint, next);
+    append_published(comparison, file, form, checkpoint, next, judged);
     append_fits(comparison, file, form, checkpoint, next);
     if (is_first && !comparison.contenders.empty())
       comparison.properties = properties_of_target(form, study, comparison.contenders.front().values);

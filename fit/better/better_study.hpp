@@ -87,12 +87,16 @@ double codes_of(const StudyComparison& comparison, const StudyContender& contend
 /// The published contender that the file of the study has first; null without any.
 const StudyContender* first_published(const StudyComparison& comparison);
 
+/// The error of an exact form is only rounding.
+inline constexpr double rounding_alone = 1e-14;
+
 /// The fit of any form with the smallest error that needs no more instructions than a published contender.
 /// Its error is smaller by 1 % at least, and its rms error at most twice as large. Null if there is none.
 const StudyContender* least_error_at_the_same_cost(const StudyComparison& comparison,
                                                    const StudyContender& published);
 
-/// The same among the fits that have all properties of the published contender.
+/// The same among the fits that have all properties of the published contender: what is meant by the *best*
+/// set, or the better one, in every table, picture, page and code.
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published);
 
@@ -101,12 +105,16 @@ const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
 const StudyContender* better_with_all_properties(const StudyComparison& comparison,
                                                  const StudyContender& published);
 
+/// Whether published sets and the claims about them are judged, which takes some hundred fits.
+enum class Judged { yes, no };
+
 /// Compares the published sets of a study with the fits of each of its forms: least squares, minimax, and
 /// what the file asks for. Where the best of these loses a property of a published
 /// set, its form is fitted under constraints that keep them. Calls `next` before each of its
 /// `steps_to_compare`. Throws UserError for a study that cannot be read.
 StudyComparison compare_study(const StudyFile& file, const Study& study,
-                              const Checkpoint& checkpoint = keep_going, const Checkpoint& next = keep_going);
+                              const Checkpoint& checkpoint = keep_going, const Checkpoint& next = keep_going,
+                              Judged judged = Judged::yes);
 
 /// The number of published sets and of fits that `compare_study` computes. All fits that are to keep
 /// properties are one step, because their number is known only then.

@@ -54,12 +54,20 @@ struct MistypedCopy {
   OthersText replaced = {};  ///< why its source replaced it; empty: it is mistyped
 };
 
+/// A work as a bibliography has it; what is not known is empty.
+struct CitedWork {
+  std::vector<OthersText> authors = {};  ///< "Surname", "Surname, Given", or the name of a group
+  OthersText title = {}, year = {}, howpublished = {}, note = {};
+  std::string url = {};  ///< http or https, of the letters that an address may have
+};
+
 /// One published set of constants of a form.
 struct PublishedSet {
   std::string form;                         ///< the id of a form
   PrintedValues given = {};                 ///< the given constants that it was published for; empty: any
   PrintedValues values;                     ///< one for each parameter
   OthersText source;                        ///< author, year, title
+  std::optional<CitedWork> cite = {};       ///< the same in parts; empty: only the text is known
   std::vector<OthersText> where = {};       ///< repositories and files that use it
   std::vector<ErrorClaim> claims = {};      ///< about its errors
   std::vector<MistypedCopy> variants = {};  ///< copies that differ

@@ -22,4 +22,7 @@ std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& che
 /// `length` bytes of a file from `offset` on. Throws UserError naming the file, also if it ends before.
 std::string read_part(const std::filesystem::path& path, std::uintmax_t offset, std::uintmax_t length);
 
+/// Standard input to its end, at most `most_bytes`. Throws UserError where it cannot be read or has more.
+std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint);
+
 }  // namespace shadefit

@@ -10,6 +10,7 @@
 #include "reports/io/gnuplot_text.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/own_file.hpp"
+#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {
@@ -31,10 +32,51 @@ constexpr std::string_view styles =
     "set style line 5 lc rgb '#000000' lw 2 pt 13 ps 0.6 dt (3,3)\n"
     "set style line 6 lc rgb '#808080' lw 3\n"
     "set style line 8 lc rgb '#707070' lw 1.2 dt (6,4)\n"
-    "set style line 9 lc rgb '#DDDDDD' lw 1\n";
+    "set style line 9 lc rgb '#DDDDDD' lw 1\n"
+    "set style line 10 lc rgb '#F2BF9E' lw 5.5\n"
+    "set style line 11 lc rgb '#A5CCE4' lw 5.5\n"
+    "set style line 12 lc rgb '#A0DBC9' lw 5.5\n"
+    "set style line 13 lc rgb '#B3B3B3' lw 5.5\n";
 
 /// Between the parts of a command, each on its own line.
 constexpr std::string_view between_lines = ", \\\n  ";
+
+/// Letters are about 7.5 pixels wide. An entry of the legend has 60 more for its sample.
+constexpr double letter_width = 7.5;
+constexpr int sample_width = 60;
+constexpr auto widest_entry = static_cast<std::size_t>((picture_width - sample_width) / letter_width);
+
+/// A label in lines of at most so many letters. A longer word is broken, but no character and no escape.
+std::vector<std::string> lines_of_label(const std::string& label, std::size_t most) {
+  std::vector<std::string> lines;
+  if (label.size() <= most) return {label};
+  for (std::string& line : folded(label, most)) {
+    while (line.size() > most) {
+      std::size_t end = most;
+      while (end > 1 && ((line[end] & 0xC0) == 0x80 || line[end - 1] == '\\')) --end;
+      lines.push_back(line.substr(0, end));
+      line.erase(0, end);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<std::string> lines_of_title(const Plot& plot, const Panel& panel) {
+  const int width =
+      (picture_width - left_edge - right_edge - (plot.columns - 1) * between_columns) / plot.columns;
+  return lines_of_label(panel.title, static_cast<std::size_t>(width / letter_width));
+}
+
+/// The lines beyond the first that a title of these rows of panels needs.
+int more_title_lines(const Plot& plot, bool is_first_row) {
+  std::size_t most = 1;
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    const bool is_first = i < static_cast<std::size_t>(plot.columns);
+    if (is_first == is_first_row) most = std::max(most, lines_of_title(plot, plot.panels[i]).size());
+  }
+  return static_cast<int>(most) - 1;
+}
 
 /// Each label once, in the order of its first curve.
 std::vector<Curve> legend_of(const Plot& plot) {
@@ -48,19 +90,29 @@ std::vector<Curve> legend_of(const Plot& plot) {
   return legend;
 }
 
-/// gnuplot gives every entry the width of the longest: about 7.5 pixels a letter, and 60 for the sample.
+bool has_long_entry(const std::vector<Curve>& legend) {
+  return std::ranges::any_of(legend, [](const Curve& curve) { return curve.label.size() > widest_entry; });
+}
+
+/// gnuplot gives every entry the width of the longest. A legend with a longer one has a column of lines.
 int rows_of_legend(const std::vector<Curve>& legend) {
-  std::size_t longest = 0;
-  for (const Curve& curve : legend) longest = std::max(longest, curve.label.size());
-  const auto in_a_row = static_cast<std::size_t>(picture_width / (7.5 * static_cast<double>(longest) + 60));
-  return static_cast<int>((legend.size() + in_a_row - 1) / std::max<std::size_t>(in_a_row, 1));
+  std::size_t longest = 0, lines = 0;
+  for (const Curve& curve : legend) {
+    longest = std::max(longest, curve.label.size());
+    lines += lines_of_label(curve.label, widest_entry).size();
+  }
+  if (has_long_entry(legend)) return static_cast<int>(lines);
+  const auto in_a_row =
+      static_cast<std::size_t>(picture_width / (letter_width * static_cast<double>(longest) + sample_width));
+  return static_cast<int>((legend.size() + in_a_row - 1) / in_a_row);
 }
 
 /// The positions of the panels, in pixels.
 struct Layout {
   int rows;
-  int above;  ///< the first row
-  int under;  ///< the last row
+  int between;  ///< two rows
+  int above;    ///< the first row
+  int under;    ///< the last row
   int height;
 };
 
@@ -69,10 +121,11 @@ Layout layout_of(const Plot& plot) {
     return std::ranges::any_of(plot.panels, [&](const Panel& panel) { return !(panel.*text).empty(); });
   };
   const int rows = (static_cast<int>(plot.panels.size()) + plot.columns - 1) / plot.columns;
-  const int above =
-      top_edge + (has(&Panel::title) ? title_height : 0) + (has(&Panel::top_tics) ? top_tics_height : 0);
+  const int above = top_edge + (has(&Panel::title) ? title_height * (1 + more_title_lines(plot, true)) : 0) +
+                    (has(&Panel::top_tics) ? top_tics_height : 0);
+  const int between = between_rows + title_height * more_title_lines(plot, false);
   const int under = bottom_edge + legend_height * rows_of_legend(legend_of(plot));
-  return {rows, above, under, above + rows * plot.panel_height + (rows - 1) * between_rows + under};
+  return {rows, between, above, under, above + rows * plot.panel_height + (rows - 1) * between + under};
 }
 
 std::string prelude(const Plot& plot) {
@@ -109,7 +162,7 @@ std::string prelude(const Plot& plot) {
              "set multiplot layout {},{} margins screen {:.5f},{:.5f},{:.5f},{:.5f} spacing screen "
              "{:.5f},{:.5f}\n",
              layout.rows, plot.columns, across(left_edge), 1 - across(right_edge), up(layout.under),
-             1 - up(layout.above), across(between_columns), up(between_rows));
+             1 - up(layout.above), across(between_columns), up(layout.between));
 }
 
 /// gnuplot's name for how a curve is drawn.
@@ -137,8 +190,8 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
       "set title {} offset 0,-0.4\n"
       "set xlabel {}\n"
       "set label {} at graph 0, graph 0.5 center rotate offset char -8.6,0\n",
-      panel.top_tics.empty() ? 3 : 7, gnuplot_quoted(panel.title), gnuplot_quoted(panel.x_label),
-      gnuplot_quoted(panel.y_label));
+      panel.top_tics.empty() ? 3 : 7, joined(lines_of_title(plot, panel), ".\"\\n\".", gnuplot_quoted),
+      gnuplot_quoted(panel.x_label), gnuplot_quoted(panel.y_label));
   if (!panel.top_tics.empty())
     out += fmt::format("set x2tics ({}) out scale 0.5 textcolor '#606060'\n", panel.top_tics);
   out += panel.settings;
@@ -155,17 +208,24 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
 /// One legend for all panels: the key of an additional empty panel, as wide as the picture.
 std::string legend_text(const Plot& plot) {
   const auto legend = legend_of(plot);
-  const std::string entries = joined(legend, "", [](const Curve& curve) {
-    return fmt::format("{}keyentry with {} ls {} title {}", between_lines, style_of(curve),
-                       static_cast<int>(curve.look), gnuplot_quoted(curve.label));
+  const bool is_column = has_long_entry(legend);
+  const std::string entries = joined(legend, "", [&](const Curve& curve) {
+    const auto lines = lines_of_label(curve.label, widest_entry);
+    std::string text = fmt::format("{}keyentry with {} ls {} title {}", between_lines, style_of(curve),
+                                   static_cast<int>(curve.look), gnuplot_quoted(lines.front()));
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      text += fmt::format("{}keyentry with lines lc rgb '#FFFFFF' title {}", between_lines,
+                          gnuplot_quoted(lines[i]));
+    return text;
   });
   return fmt::format(
       "\nunset arrow; unset label; unset logscale; unset x2tics; unset xtics; unset ytics; unset border\n"
       "unset title; unset xlabel\n"
       "set margins at screen 0.01, screen 0.99, screen 0, screen {:.5f}\n"
-      "set key on inside center center horizontal Left reverse samplen 2.5 width 1\n"
+      "set key on inside center center {} Left reverse samplen 2.5 width 1\n"
       "plot [0:1][0:1] 2 notitle{}\n",
-      static_cast<double>(legend_height * rows_of_legend(legend)) / layout_of(plot).height, entries);
+      static_cast<double>(legend_height * rows_of_legend(legend)) / layout_of(plot).height,
+      is_column ? "vertical maxcols 1" : "horizontal", entries);
 }
 
 }  // namespace

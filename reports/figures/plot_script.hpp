@@ -17,11 +17,17 @@ enum class Look {
   second,
   third,
   fourth,
-  thin_target,  ///< the target of another figure, if it is one of the compared curves
+  thin_target,        ///< the target of another figure, if it is one of the compared curves
+  first_target = 10,  ///< broad and pale, under the curve of the same place in `curve_looks`
+  second_target,
+  third_target,
+  fourth_target,
 };
 
 /// The looks of the curves that a figure compares, in their order.
 inline constexpr std::array curve_looks{Look::first, Look::second, Look::third, Look::fourth};
+inline constexpr std::array target_looks{Look::first_target, Look::second_target, Look::third_target,
+                                         Look::fourth_target};
 
 /// One column of the data over the panel's abscissa. Labels are gnuplot's enhanced text: x^2, x_{min}.
 struct Curve {
@@ -59,8 +65,8 @@ struct Plot {
 };
 
 /// The script: run in the directory of its data, it writes NAME.svg, or the file that the variable `output`
-/// names: a PDF or a PNG where that ends with .pdf or .png, else an SVG. It is sealed
-/// (reports/io/own_file.hpp).
+/// names: a PDF or a PNG where that ends with .pdf or .png, else an SVG. Long titles and labels of the legend
+/// have several lines. It is sealed (reports/io/own_file.hpp).
 std::string write_script(const Plot& plot);
 
 /// "[low:high]" around all numbers of these columns, ends rounded outward to a twentieth or so of the span.

@@ -26,9 +26,6 @@ OthersText repositories(const std::vector<OthersText>& places) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The error of an exact form is only rounding.
-constexpr double rounding_alone = 1e-14;
-
 /// The largest error of a contender, if there is one.
 Cell error_of(const StudyContender* contender) {
   if (contender == nullptr) return {};

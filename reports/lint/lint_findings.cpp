@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "fit/support/decimal.hpp"
@@ -117,6 +118,29 @@ findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintRe
     report.findings.push_back(std::move(finding));
   }
   return report;
+}
+
+LintAdvice lint_advice(const lint::LintedTree& tree, const LintReportOptions& options) {
+  LintAdvice advice;
+  Grade worst = Grade::right, to_fix = Grade::right;
+  bool has_pin = false;
+  std::map<std::string, int> seen;
+  for (const LintedSite& site : tree.sites) {
+    if (site.grade == Grade::right && !options.all) continue;
+    const bool is_known = options.known.contains(fingerprint_of(site, options.project, seen));
+    if (is_known || site.ignored || !site.fault.empty()) continue;
+    if (advice.id.empty() || site.grade > worst) advice.id = site.id;
+    worst = std::max(worst, site.grade);
+    const bool is_fixable = std::ranges::any_of(site.numbers, [](const LintedNumber& number) {
+      return number.is_certain && number.grade != Grade::right;
+    });
+    if (!is_fixable || site.is_in_comment) continue;
+    has_pin = has_pin || site.is_pinned;
+    const bool is_milder = to_fix == Grade::right || site.grade < to_fix;
+    if (site.slip.empty() && site.grade >= Grade::typo && is_milder) to_fix = site.grade;
+  }
+  if (to_fix != Grade::right || has_pin) advice.fix = to_fix == Grade::right ? "pins" : name(to_fix);
+  return advice;
 }
 
 std::string skipped_words(const lint::SkippedFiles& skipped) {

@@ -11,6 +11,7 @@
 #include "approx/ledger/catalogue.hpp"
 #include "approx/ledger/ledger.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit {
 namespace {
@@ -31,47 +32,17 @@ std::string first_letters(std::string_view text, int count) {
   return letters;
 }
 
-/// All letters and digits of a text, in lower case.
-std::string letters_and_digits(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto letter = static_cast<unsigned char>(c);
-    if (std::isalnum(letter) != 0) out += static_cast<char>(std::tolower(letter));
-  }
-  return out;
-}
-
 /// BibTeX separates authors by "and".
 std::string with_and(std::string_view authors) {
   return boost::replace_all_copy(std::string(authors), ", ", " and ");
 }
 
-/// "Kulla, Conty 2017, Revisiting ..": a name has at most two words, so that "pbrt-v4 of August 2020" and
-/// "Eberly, as cited by Lagarde 2014" stay parts of a title.
-struct NamedWork {
-  std::string author, year, title;
-};
-
-bool are_names(const std::string& authors) {
-  for (std::size_t from = 0; from <= authors.size();) {
-    const std::size_t end = std::min(authors.find(" and ", from), authors.size());
-    const std::string name = authors.substr(from, end - from);
-    if (name.empty() || std::ranges::count(name, ' ') > 1) return false;
-    from = end + 5;
-  }
-  return true;
+/// A name in braces if BibTeX would take its words apart: "{Le Saec}", "{Unity Technologies}".
+std::string bibtex_name(const OthersText& author) {
+  const std::string& name = author.unescaped();
+  const bool is_one = name.find(' ') == std::string::npos || name.find(',') != std::string::npos;
+  return is_one ? for_latex(author) : "{" + for_latex(author) + "}";
 }
-
-NamedWork named_work(std::string_view text) {
-  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
-  for (std::size_t at = text.find(", "); at != std::string_view::npos; at = text.find(", ", at + 1)) {
-    if (at < 6 || text[at - 5] != ' ') continue;
-    const std::string_view year = text.substr(at - 4, 4);
-    const std::string author = with_and(text.substr(0, at - 5));
-    if (std::ranges::all_of(year, is_digit) && are_names(author))
-      return {author, std::string(year), std::string(text.substr(at + 2))};
-  }
-  return {"", "", std::string(text)};
 }
 
 /// Calls `use` with each id of the ledger and the catalogue and a source that it has.
@@ -117,22 +88,32 @@ std::string bibtex(const Source& source) {
   return out + "}\n";
 }
 
-std::vector<std::string> bibtex_of_texts(const std::vector<OthersText>& sources) {
+std::vector<std::string> bibtex_of_sets(const std::vector<PublishedSet>& sets) {
   std::map<std::string, int> uses;
   std::vector<std::string> entries;
-  for (const OthersText& source : sources) {
-    const auto [author, year, title] = named_work(source.unescaped());
+  std::set<std::string> seen;
+  for (const PublishedSet& set : sets) {
+    const CitedWork work = set.cite.value_or(CitedWork{.title = set.source});
+    std::string body;
+    const auto add = [&](const char* field, const std::string& value) {
+      if (!value.empty()) body += fmt::format("  {} = {{{}}},\n", field, value);
+    };
+    add("author", joined(work.authors, " and ", bibtex_name));
+    add("title", work.title.empty() ? "" : "{" + for_latex(work.title) + "}");
+    add("year", for_latex(work.year));
+    add("howpublished", for_latex(work.howpublished));
+    add("note", for_latex(work.note));
+    add("url", work.url);
+    if (!seen.insert(body).second) continue;
+    const std::string author = work.authors.empty() ? "" : first_letters(work.authors.front().unescaped(), 1);
+    std::string key =
+        author + first_letters(work.year.unescaped(), 1) + first_letters(work.title.unescaped(), 2);
+    if (key.empty()) key = "source";
     // Titles of code often begin with the same words.
-    std::string key = author.empty() ? letters_and_digits(title)
-                                     : first_letters(author, 1) + year + first_letters(title, 2);
     const int before = uses[key]++;
     if (before > 0)
       key += before < 26 ? std::string(1, static_cast<char>('a' + before)) : fmt::format("-{}", before);
-    std::string entry = fmt::format("@misc{{{},\n", key);
-    if (!author.empty()) entry += fmt::format("  author = {{{}}},\n", for_latex(author));
-    entry += fmt::format("  title = {{{{{}}}}},\n", for_latex(title));
-    if (!year.empty()) entry += fmt::format("  year = {{{}}},\n", year);
-    entries.push_back(entry + "}\n");
+    entries.push_back(fmt::format("@misc{{{},\n{}}}\n", key, body));
   }
   return entries;
 }

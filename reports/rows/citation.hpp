@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "approx/records/record.hpp"
-#include "fit/support/others_text.hpp"
+#include "fit/study/study_file.hpp"
 
 /// Sources as people and programs cite them.
 namespace shadefit {
@@ -25,10 +25,9 @@ std::string linked(const Source& source);
 /// A BibTeX entry: @misc{lagarde2012sphericalgaussian, ..}. Records have surnames only.
 std::string bibtex(const Source& source);
 
-/// The same for the sources of published sets of a study, which are texts: "Wrensch 2023, Minimal AgX
-/// implementation". Names and a year before the first comma become the author and the year; without them all
-/// is the title. Entries with equal keys get letters: kang2002designof, kang2002designofb.
-std::vector<std::string> bibtex_of_texts(const std::vector<OthersText>& sources);
+/// The same for the published sets of a study, each work once: of the fields that its file has; without them
+/// the source is the title. Entries with equal keys get letters: kang2002designof, kang2002designofb.
+std::vector<std::string> bibtex_of_sets(const std::vector<PublishedSet>& sets);
 
 /// The BibTeX entry of shadefit itself. CITATION.cff says the same.
 std::string bibtex_of_shadefit(std::string_view version);

@@ -66,6 +66,25 @@ std::vector<std::string> with_columns_of(std::vector<std::string> columns,
   return columns;
 }
 
+std::size_t place_of(const StudyComparison& comparison, const StudyContender& contender) {
+  return static_cast<std::size_t>(&contender - comparison.contenders.data());
+}
+
+/// "2.11 times as accurate as row 1".
+std::string gain_text(const StudyComparison& comparison, const StudyContender& published,
+                      const StudyContender& better) {
+  const std::size_t row = place_of(comparison, published) + 1;
+  const double least = better.max_error.magnitude;
+  if (least < rounding_alone) return fmt::format("exact, unlike row {}", row);
+  return fmt::format("{} times as accurate as row {}",
+                     text(Number{published.max_error.magnitude / least, 3}, Precision::report), row);
+}
+
+std::string cost_text(const StudyContender& published, const StudyContender& better) {
+  const int before = published.operations.total(), now = better.operations.total();
+  return now == before ? "same cost" : fmt::format("{} instead of {} instructions", now, before);
+}
+
 /// The table without the columns that have nothing to say.
 Table without_empty_columns(const Table& table) {
   Table result{{}, std::vector<std::vector<Cell>>(table.rows.size())};
@@ -106,6 +125,26 @@ OthersText target_of(const StudyComparison& comparison) {
   return target + (given.empty() ? "" : ", " + given);
 }
 
+std::string advice_text(const StudyComparison& comparison, const std::string& command) {
+  const StudyContender* published = first_published(comparison);
+  if (published == nullptr) return "";
+  const StudyContender* best = better_at_the_same_cost(comparison, *published);
+  const StudyContender* least = least_error_at_the_same_cost(comparison, *published);
+  std::string text =
+      best == nullptr
+          ? fmt::format("Keep row {}: no set here errs less at no more cost{}\n",
+                        place_of(comparison, *published) + 1,
+                        least == nullptr ? "" : " and keeps its properties")
+          : fmt::format("Use this: row {}, {}, {}{}: {}\n", place_of(comparison, *best) + 1,
+                        gain_text(comparison, *published, *best), cost_text(*published, *best),
+                        published->properties.empty() ? "" : ", keeps all its properties", command);
+  if (least != best)
+    text += fmt::format("The smallest error at that cost: row {}, {}, but it loses: {}\n",
+                        place_of(comparison, *least) + 1, gain_text(comparison, *published, *least),
+                        to_text(lost_properties(published->properties, least->properties)));
+  return text;
+}
+
 Table study_comparison_table(const StudyComparison& comparison) {
   Table table{with_columns_of({"row"}, comparison)};
   for (std::size_t i = 0; i < comparison.contenders.size(); ++i)
@@ -128,6 +167,8 @@ Json study_comparison_json(const StudyComparison& comparison) {
   Json contenders = Json::array();
   for (const StudyContender& contender : comparison.contenders) {
     const auto& judgement = contender.judgement;
+    const StudyContender* best =
+        contender.published != nullptr ? better_at_the_same_cost(comparison, contender) : nullptr;
     Json claims = Json::array();
     for (const JudgedError& judged : contender.claims)
       claims.push_back({{"error", name(judged.claim.error)},
@@ -153,7 +194,8 @@ Json study_comparison_json(const StudyComparison& comparison) {
          {"compared_digits", judgement ? optional_json(judgement->compared_digits) : Json()},
          {"units_off", judgement ? Json(judgement->units_off) : Json()},
          {"claims", claims},
-         {"beats", contender.beats}});
+         {"beats", contender.beats},
+         {"best", best != nullptr ? Json(place_of(comparison, *best)) : Json()}});
   }
   return {{"target", comparison.study.target},
           {"given", json_object(comparison.study.given)},

@@ -22,6 +22,11 @@ std::string error_in_words(std::string_view key);
 /// What a curve of that error shows: "form − target", "relative error" or "weighted error".
 std::string curve_in_words(std::string_view key);
 
+/// "Use this: row 5, 2.11 times as accurate as row 1, same cost, keeps all its properties: COMMAND", of the
+/// first published set and what is better at its cost, or that nothing is. A second line names the set with
+/// the smallest error at that cost, if it is another one, and what it loses. Empty without a published set.
+std::string advice_text(const StudyComparison& comparison, const std::string& command);
+
 /// One row for each contender, numbered; `beats` has numbers of published rows. Errors have four digits, as
 /// they are sampled.
 Table study_comparison_table(const StudyComparison& comparison);

@@ -109,6 +109,26 @@ std::vector<std::pair<Slice, std::string>> slices_of(const std::vector<FittedStu
   return slices;
 }
 
+/// What the error curves show: the error that the study minimises. That of a row is its residual.
+std::string words_of_error(const Study& asked) {
+  if (asked.rows) return curve_in_words("max_abs_error");
+  return curve_in_words(asked.weight != "1"              ? "max_weighted_error"
+                        : asked.error == Error::relative ? "max_rel_error"
+                                                         : "max_abs_error");
+}
+
+/// Appends the places where a minimax fit of one variable has its level.
+void append_contacts(const FittedStudy& study, const Slice& slice, Table& table) {
+  table.columns.emplace_back("contact");
+  for (auto& row : table.rows) row.emplace_back();
+  const Symbolic error = weighted_error_of(study.read).form;
+  for (const AlternationPoint& contact : study.fit.alternation) {
+    auto& row = table.rows.emplace_back(table.columns.size());
+    row.front() = plotted(contact.at.cos_theta);
+    row.back() = plotted_if_finite(slice.at(error, contact.at.cos_theta));
+  }
+}
+
 /// The columns target, form and error of each slice over the first variable. With measured rows, target and
 /// error are known at the rows only, which follow.
 Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, const StudyAxis& axis) {
@@ -116,12 +136,17 @@ Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, con
   for (std::size_t i = 1; i <= slices.size(); ++i)
     for (const char* column : {"target", "form", "error"})
       table.columns.push_back(fmt::format("{}_{}", column, i));
+  std::vector<Symbolic> errors;
+  for (const auto& [slice, label] : slices) errors.push_back(weighted_error_of(*slice.study).form);
   for (const double x : abscissae(axis.lower, axis.upper)) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(x)});
-    for (const auto& [slice, label] : slices) {
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+      const Slice& slice = slices[i].first;
       const double form = slice.at(slice.study->form, x);
-      const double target = slice.study->rows ? NAN : slice.at(slice.study->target, x);
-      for (const double value : {target, form, form - target}) row.push_back(plotted_if_finite(value));
+      const bool is_measured = slice.study->rows != nullptr;
+      const double target = is_measured ? NAN : slice.at(slice.study->target, x);
+      const double error = is_measured ? NAN : slice.at(errors[i], x);
+      for (const double value : {target, form, error}) row.push_back(plotted_if_finite(value));
     }
   }
   for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -146,23 +171,35 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   const auto slices = slices_of(studies);
   if (slices.empty()) throw UserError("--plot has nothing to draw: no fit converged");
   const StudyAxis& axis = first.axes.front();
-  const Table table = slices_table(slices, axis);
+  Table table = slices_table(slices, axis);
   Panel curves{.title = for_gnuplot(study_headline(studies.front())),
                .y_label = "value",
                .settings = range_of(axis),
                .abscissa = axis.variable};
   Panel errors{.x_label = for_gnuplot(axis.variable),
-               .y_label = "form − target",
+               .y_label = words_of_error(studies.front().asked()),
                .settings = range_of(axis),
                .abscissa = axis.variable};
   const bool is_measured = first.rows != nullptr;
+  const bool are_several = slices.size() > 1 && !is_measured;
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const std::string label = for_gnuplot(slices[i].second);
-    curves.curves.push_back({fmt::format("target_{}", i + 1), is_measured ? "rows" : "target", Look::target,
-                             false, is_measured, !is_measured});
+    curves.curves.push_back({fmt::format("target_{}", i + 1),
+                             is_measured   ? "rows"
+                             : are_several ? "target, " + label
+                                           : "target",
+                             are_several ? target_looks.at(i) : Look::target, false, is_measured,
+                             !is_measured});
     curves.curves.push_back({fmt::format("form_{}", i + 1), label, curve_looks.at(i)});
     errors.curves.push_back(
         {fmt::format("error_{}", i + 1), label, curve_looks.at(i), false, is_measured, !is_measured});
+  }
+  const FittedStudy& study = studies.front();
+  if (studies.size() == 1 && first.axes.size() == 1 && study.fit.level) {
+    append_contacts(study, slices.front().first, table);
+    const std::string level = text(Number{*study.fit.level, 4}, Precision::report);
+    errors.levels = {{level, "level " + level}, {"-" + level, ""}};
+    errors.curves.push_back({"contact", "contacts", Look::second, false, true, false});
   }
   errors.settings += "set yrange " + range_around(table, errors.curves) + "\n";
   const Plot plot{.name = "fit",
@@ -176,15 +213,15 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
 Figure better_study_figure(const StudyComparison& comparison) {
   require_drawable(comparison.variables.size());
   std::vector<const StudyContender*> shown;
-  const StudyContender* best = nullptr;
   for (const StudyContender& contender : comparison.contenders) {
-    const bool is_published = contender.published != nullptr;
-    if (is_published && shown.size() + 1 < curve_looks.size()) shown.push_back(&contender);
-    const bool is_candidate = !is_published && (!contender.beats.empty() || shown.empty());
-    if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
-      best = &contender;
+    if (contender.published != nullptr && shown.size() + 1 < curve_looks.size()) shown.push_back(&contender);
   }
+  const StudyContender* published = first_published(comparison);
+  const StudyContender* best = published != nullptr ? better_at_the_same_cost(comparison, *published)
+                               : comparison.contenders.empty() ? nullptr
+                                                               : &comparison.contenders.front();
   if (best != nullptr) shown.push_back(best);
+  if (shown.empty()) throw UserError("--plot has nothing to draw: no fit converged");
   const std::string& variable = comparison.variables.front();
   Table table{{variable}};
   const auto& measured = comparison.study.rows;

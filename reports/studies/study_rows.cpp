@@ -272,6 +272,21 @@ Table uncertainty_table(const std::vector<FittedStudy>& studies) {
   return table;
 }
 
+Table parameters_table(const FittedStudy& study) {
+  constexpr std::size_t most_columns = 6;  // with more, a page is too narrow
+  const std::vector<std::string>& names = study.fit.names;
+  const bool has_errors = study.fit.statistics.has_value();
+  Table table{{"parameter", "value"}};
+  if (has_errors) table.columns.insert(table.columns.end(), {"standard error", "profile from", "profile to"});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto& row = table.rows.emplace_back(
+        std::vector<Cell>{names[i], is_answer(study) ? Cell(converged(study.fit.parameters[i])) : Cell()});
+    const std::vector<Cell> cells = has_errors ? cells_of(study, i) : std::vector<Cell>{};
+    row.insert(row.end(), cells.begin(), cells.end());
+  }
+  return names.size() <= most_columns ? transposed(table) : table;
+}
+
 void add_uncertainty_columns(Table& table, const std::vector<FittedStudy>& studies) {
   for (const std::string& name : studies.front().fit.names) {
     table.columns.push_back("standard error of " + name);

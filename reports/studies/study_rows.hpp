@@ -58,6 +58,10 @@ std::string level_text(const FittedStudy& study);
 /// an end may be "open".
 Table uncertainty_table(const std::vector<FittedStudy>& studies);
 
+/// The parameters of a fit of measured rows with the same numbers, for a page: a column for each of a few
+/// parameters, else a row.
+Table parameters_table(const FittedStudy& study);
+
 /// Adds the same numbers to the rows of `study_table`, three columns for each parameter.
 void add_uncertainty_columns(Table& table, const std::vector<FittedStudy>& studies);
 

@@ -66,6 +66,16 @@ Table with_columns_as_one(const Table& table, std::size_t first, std::size_t cou
   return result;
 }
 
+Table transposed(const Table& table) {
+  Table result{{table.columns.front()}};
+  for (const auto& row : table.rows) result.columns.push_back(text(row.front(), Precision::report));
+  for (std::size_t i = 1; i < table.columns.size(); ++i) {
+    auto& cells = result.rows.emplace_back(std::vector<Cell>{table.columns[i]});
+    for (const auto& row : table.rows) cells.push_back(row[i]);
+  }
+  return result;
+}
+
 Cell word(std::string_view text) {
   return std::string(text);
 }

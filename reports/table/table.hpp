@@ -60,6 +60,9 @@ Table with_column(Table table, const std::string& column, const std::string& tex
 Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,
                           Precision precision);
 
+/// The table with rows as columns: the first column has the titles.
+Table transposed(const Table& table);
+
 /// 10 digits: a converged parameter, or an error that was computed without cancellation.
 Number converged(double value);
 

@@ -156,17 +156,22 @@ bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleCol
          (is_largest_error(*column) && std::ranges::find_if(columns, is_largest_error) == column);
 }
 
+/// What all rows are about: the verdict; of a comparison the form and what it costs.
+bool is_kept(const ConsoleColumn& column) {
+  return column.title == "verdict" || column.title == "form" || column.title == "instructions";
+}
+
 /// The next column to drop; `columns.end()` if all must stay.
 std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& columns) {
-  constexpr std::array<std::string_view, 6> details{"digits", "status",    "at c",
-                                                    "under",  "published", "rms error"};
+  constexpr std::array<std::string_view, 7> details{"operations", "digits",    "status",   "at c",
+                                                    "under",      "published", "rms error"};
   for (const std::string_view title : details) {
     const auto found = std::ranges::find(columns, title, &ConsoleColumn::title);
     if (found != columns.end() && found != columns.begin()) return found;
   }
   auto last_one = columns.end();
   for (auto last = columns.end(); last != columns.begin() && --last != columns.begin();) {
-    if (last->title == "verdict") continue;
+    if (is_kept(*last)) continue;
     if (!is_dropped_last(columns, last)) return last;
     if (last_one == columns.end()) last_one = last;
   }

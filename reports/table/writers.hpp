@@ -36,8 +36,8 @@ struct Terminal {
 
 /// Aligned columns, two spaces apart. Control characters are escaped. If the table is wider than the
 /// terminal, columns are dropped, and a last line names them: details such as the digits first, then columns
-/// from the right, the constants, their origin and the largest error last; the first column and the verdict
-/// stay. Then cells of text are folded. No value is cut.
+/// from the right, the constants, their origin and the largest error last; the first column, the verdict, the
+/// form and the instructions stay. Then cells of text are folded. No value is cut.
 std::string write_console(const Table& table, Precision precision, const Terminal& terminal = {});
 
 /// The text with the verdicts in it coloured, if the terminal has colours: green for agreement, magenta for

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -183,6 +184,70 @@ TEST(SensitivityOption, BadInput) {
       {"fit", "sg-offset-mean", "--sensitivity"},
       "--sensitivity does not apply: sg-offset-mean is a mean or a limit of fits, which has no curve "
       "of its own");
+}
+
+// One meaning of the best set: in the first sentence, in JSON, in the gallery and in the emitted code.
+TEST(BetterStudy, OneBestSetEverywhere) {
+  const CsvTable gallery = parse_csv(read_file(SHADEFIT_SOURCE_DIR "/docs/gallery/gallery.csv"), "gallery");
+  for (const std::string id : {"acos-linear", "acos-cubic", "agx-septic", "atan-quintic"}) {
+    const json contenders = json_of({"better", id})["contenders"];
+    std::vector<std::string> best_errors;
+    for (const auto& row : gallery.rows)
+      if (row[0] == id) best_errors.push_back(row[8]);
+    std::size_t compared = 0;
+    for (const json& contender : contenders) {
+      if (contender["kind"] == "fitted") {
+        EXPECT_TRUE(contender["best"].is_null());
+        continue;
+      }
+      const std::string best =
+          contender["best"].is_null()
+              ? ""
+              : fmt::format("{:.4g}",
+                            contenders[contender["best"].get<std::size_t>()]["max_abs_error"].get<double>());
+      EXPECT_NE(std::find(best_errors.begin(), best_errors.end(), best), best_errors.end()) << id << best;
+      ++compared;
+    }
+    EXPECT_EQ(compared, best_errors.size()) << id;
+  }
+}
+
+TEST(BetterStudy, LeadsWithWhatToUse) {
+  const auto first_lines = [](const std::vector<std::string>& call) {
+    const std::string out = run_command_line(call).out;
+    const std::size_t first = out.find('\n');
+    return out.substr(0, out.find('\n', first + 1));
+  };
+  EXPECT_EQ(
+      first_lines({"better", "acos-linear"}),
+      "Use this: row 3, 2.11 times as accurate as row 1, same cost, keeps all its properties: "
+      "shadefit emit acos-linear --better --lang glsl\n"
+      "The smallest error at that cost: row 2, 2.81 times as accurate as row 1, but it loses: exact at x = 0");
+  EXPECT_EQ(first_lines({"better", "acos-linear", "--over", "x=0:1/2"}).find("--over x=0:1/2 --better"),
+            first_lines({"better", "acos-linear", "--over", "x=0:1/2"}).find("--over"))
+      << "the command has the options of the call";
+  EXPECT_TRUE(first_lines({"better", "agx-godot"}).find(", 6 instead of 12 instructions, ") !=
+              std::string::npos);
+  EXPECT_TRUE(
+      first_lines({"better", "luma-709"}).starts_with("Keep row 1: no set here errs less at no more cost\n"));
+  const Outcome own = run_command_line({"better", "--target", "x^2", "--form", "a x", "--over", "x=0:1"});
+  EXPECT_TRUE(own.out.starts_with("x^2, x in 0:1\n")) << "nothing is published: " << own.out;
+}
+
+// On a narrow terminal the operations go first; the form and its cost stay.
+TEST(BetterStudy, FormAndCostStayOnANarrowTerminal) {
+  for (const char* id : {"acos-linear", "fresnel-quadratic"}) {
+    std::vector<std::string> call{"better", id};
+    if (id[0] == 'f') call.insert(call.end(), {"--target", "schlick"});
+    const Outcome outcome = prepare_command_line(call, keep_going, unwatched, {.width = 80});
+    const std::string left_out = outcome.out.substr(outcome.out.find("(left out for the width"));
+    EXPECT_NE(left_out.find("terminal: operations"), std::string::npos) << outcome.out;
+    for (const char* column : {"form", "instructions"})
+      EXPECT_EQ(left_out.substr(0, left_out.find(')')).find(column), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("instructions"), std::string::npos) << outcome.out;
+    for (std::size_t at = 0; at < outcome.out.size(); at = outcome.out.find('\n', at) + 1)
+      EXPECT_LE(outcome.out.find('\n', at) - at, 90U) << outcome.out.substr(at, 100);
+  }
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ TEST(Cite, AStudyAddsTheSourcesOfItsPublishedSets) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(
       outcome.out.ends_with("\n@misc{wrensch2023minimalagx,\n  author = {Wrensch},\n"
-                            "  title = {{Minimal AgX implementation, iolite-engine.com}},\n"
-                            "  year = {2023},\n}\n"))
+                            "  title = {{Minimal AgX implementation}},\n"
+                            "  year = {2023},\n  url = {https://iolite-engine.com},\n}\n"))
       << outcome.out;
 }
 
@@ -58,6 +58,25 @@ TEST(Cite, AnUnknownIdIsRefused) {
   EXPECT_EQ(
       outcome.err,
       "shadefit: unknown claim, constant, family or study 'fresnel-quadratic-x': did you mean 'fresnel-quadratic-a'?\n");
+}
+
+// A field is not guessed: what a study does not say is not there.
+TEST(Cite, EveryStudyOfTheProjectHasFields) {
+  const std::set<std::string> without{"the usual gamma of a display", "the usual gamma of a display, 1/2.2",
+                                      "1/2.4 as a decimal"};
+  std::size_t addresses = 0;
+  for (const auto& path : known_study_files(study_folders({}))) {
+    for (const PublishedSet& set : load_study(path).published) {
+      EXPECT_EQ(set.cite.has_value(), !without.contains(set.source)) << path << set.source;
+      addresses += set.cite && !set.cite->url.empty() ? 1 : 0;
+    }
+  }
+  EXPECT_GE(addresses, 80U);
+}
+
+TEST(Cite, KnowsTheIdsOfLint) {
+  for (const char* id : {"luma-709", "srgb-decode-standard", "fresnel-quadratic"})
+    EXPECT_NE(run_command_line({"cite", id}).out.find("\n@misc{"), std::string::npos) << id;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
@@ -145,6 +147,75 @@ TEST(Emit, BadInput) {
       "--check '" + recursive + "' names no command '// shadefit emit ..' or '// shadefit scene ..'");
   expect_refusal({"emit", "fresnel-quadratic", "--check", no_command},
                  "--check '" + no_command + "' takes no other argument: the file names its own command");
+}
+
+TEST(Emit, TheBetterSetOfAStudy) {
+  const std::string code = emitted({"acos-linear", "--better", "--lang", "glsl"});
+  EXPECT_TRUE(holds(code, "// shadefit emit acos-linear --lang glsl --better\n")) << code;
+  EXPECT_TRUE(holds(
+      code, "(fitted: minimax, exact at x = 0, exact at x = 1, form falls; better than Eberly, as cited"))
+      << code;
+  EXPECT_TRUE(holds(code, "// Proven: absolute error at most 0.004263 for x in [0, 1]")) << code;
+  const std::string quadratic =
+      emitted({"f0-under-coat", "--form", "quadratic", "--better", "--lang", "hlsl"});
+  EXPECT_TRUE(holds(quadratic, "// f (b f + d) + a for ")) << quadratic;
+  expect_refusal({"emit", "acos-linear", "--better", "--norm", "minimax", "--lang", "glsl"},
+                 "--better does not go with --norm: it names the constants");
+  expect_refusal({"emit", "acos-linear", "--better", "--parameters", "a=1,b=2", "--lang", "glsl"},
+                 "--better does not go with --parameters: it names the constants");
+  expect_refusal({"emit", "fresnel-quadratic", "--better", "--lang", "glsl"},
+                 "--better is for a study: see 'shadefit better fresnel-quadratic'");
+  expect_refusal(
+      {"emit", "--better", "--target", "x^2", "--form", "a x", "--over", "x=0:1", "--lang", "glsl"},
+      "--better needs a published set to start from: the study has none");
+  expect_refusal(
+      {"emit", "luma-709", "--better", "--lang", "glsl"},
+      "--better: no set of 'luma-709' errs less than the published one at no more cost and keeps its "
+      "properties: see 'shadefit better luma-709'");
+}
+
+TEST(Emit, TakesTheConstraintsOfAFit) {
+  const std::vector<std::string> acos{"acos-linear", "--lang", "glsl"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), acos.begin(), acos.end());
+    return emitted(more);
+  };
+  const std::pair<std::vector<std::string>, const char*> cases[]{
+      {{"--exact-at", "0"}, "(fitted: minimax, exact at x = 0)"},
+      {{"--one-sided", "above"}, "(fitted: minimax, form >= target)"},
+      {{"--at-most", "1.5"}, "(fitted: minimax, form <= 1.5)"},
+      {{"--at-least", "0"}, "(fitted: minimax, form >= 0)"},
+      {{"--monotone", "falls"}, "(fitted: minimax, form falls)"},
+      {{"--fix", "b=-0.16"}, "b = -0.16 (fitted: minimax"},
+      {{"--round", "decimal:4"}, "a = 1.567, b = -0.1682 (fitted: minimax, rounded to decimal:4)"},
+  };
+  for (const auto& [options, words] : cases) EXPECT_TRUE(holds(with(options), words)) << with(options);
+  // Published constants are not the answer to a question about a fit.
+  const std::string pair =
+      emitted({"fresnel-quadratic", "--norm", "minimax", "--exact-at", "1", "--lang", "c"});
+  EXPECT_TRUE(holds(pair, "(fitted: minimax absolute error, exact at c = 1")) << pair;
+  const std::string rounded = emitted({"fresnel-one-term", "--round", "half", "--lang", "c"});
+  EXPECT_TRUE(holds(rounded, "A = 8.34375 (fitted: ") && holds(rounded, ", rounded to half)")) << rounded;
+  expect_refusal({"emit", "fresnel-quadratic", "--parameters", "a=1,b=2", "--fix", "a=1", "--lang", "c"},
+                 "--fix does not go with --parameters: nothing is fitted");
+}
+
+TEST(Emit, ChecksSeveralFilesAndNamesEachThatIsOld) {
+  const TemporaryDirectory directory;
+  std::vector<std::string> call{"emit", "--check"};
+  for (const char* name : {"a.glsl", "b.glsl", "c.glsl"}) {
+    const std::string code = emitted({"fresnel-quadratic", "--lang", "glsl"});
+    call.push_back(directory.file(name, code + (name[0] == 'b' ? "" : "// changed\n")));
+  }
+  const Outcome outcome = run_command_line(call);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, call[3] + " is what would be generated now\n");
+  EXPECT_EQ(outcome.err,
+            "shadefit: " + call[2] + " is out of date: line 11 is not what shadefit generates now\n" +
+                "shadefit: " + call[4] + " is out of date: line 11 is not what shadefit generates now\n");
+  call.insert(call.end(), {"--format", "json"});
+  const auto report = nlohmann::json::parse(run_command_line(call).out);
+  EXPECT_EQ(report["findings"].size(), 2U) << report;
 }
 
 }  // namespace

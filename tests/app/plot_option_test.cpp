@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/gnuplot.hpp"
@@ -42,14 +44,19 @@ TEST(PlotOption, DrawsASweepAndAComparison) {
   EXPECT_NE(read_file(directory / "better.svg").find("Schlick 1994"), std::string::npos);
 }
 
-TEST(PlotOption, TheWholeOutputIsTheSameWithoutIt) {
+TEST(PlotOption, SaysWhichFileItWroteAndElseTheSame) {
   const TemporaryDirectory directory;
   fake_gnuplot(directory, "echo '</svg>' > \"$picture\"");
   const EnvironmentVariable path("PATH", directory / "bin");
   const std::vector<std::string> call{"fit", "fresnel-one-term"};
   auto with_plot = call;
   with_plot.insert(with_plot.end(), {"--plot", directory / "a.svg"});
-  EXPECT_EQ(run_command_line(with_plot).out, run_command_line(call).out);
+  EXPECT_EQ(run_command_line(with_plot).out,
+            run_command_line(call).out + "Picture: " + directory / "a.svg" + "\n");
+  with_plot.emplace_back("--json");
+  const Outcome for_program = run_command_line(with_plot);
+  EXPECT_EQ(for_program.out, run_command_line({"fit", "fresnel-one-term", "--json"}).out);
+  EXPECT_EQ(for_program.err, "shadefit: picture: " + directory / "a.svg" + "\n");
 }
 
 TEST(PlotOption, RefusesWhatItCannotDraw) {
@@ -59,6 +66,11 @@ TEST(PlotOption, RefusesWhatItCannotDraw) {
                  "--plot 'a.jpg' must end with .svg, .pdf or .png");
   expect_refusal({"fit", "fresnel-one-term", "--plot", "a.svg"},
                  "--plot 'a.svg' needs gnuplot: install the package gnuplot-nox");
+  const std::string nowhere = directory / "no/folder";
+  expect_refusal(
+      {"fit", "acos-linear", "--plot", nowhere + "/a.svg"},
+      "--plot '" + nowhere + "/a.svg' names no folder that is there: make '" + nowhere + "' first");
+  EXPECT_FALSE(std::filesystem::exists(directory / "no"));
   fake_gnuplot(directory, "echo 'bad luck' >&2; exit 1");
   expect_refusal({"fit", "sg-offset-mean", "--plot", "a.svg"},
                  "--plot 'a.svg' does not apply: sg-offset-mean is a mean or a limit of fits");
@@ -83,6 +95,50 @@ TEST(PlotOption, AForeignPictureStays) {
   forced.emplace_back("--force");
   EXPECT_EQ(run_command_line(forced).exit_code, 0);
   EXPECT_NE(read_file(directory / "a.svg"), "mine");
+}
+
+/// The script that gnuplot gets for a picture.
+std::string script_of(std::vector<std::string> call) {
+  const TemporaryDirectory directory;
+  fake_gnuplot(directory, "cp \"$script\" '" + directory / "seen" + "'; echo '</svg>' > \"$picture\"");
+  const EnvironmentVariable path("PATH", directory / "bin" + ":/usr/bin:/bin");
+  call.insert(call.end(), {"--plot", directory / "a.svg"});
+  const Outcome outcome = run_command_line(call);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return read_file(directory / "seen");
+}
+
+TEST(PlotOption, AMinimaxFitOfAStudyHasItsLevelAndContacts) {
+  const std::string script = script_of({"fit", "acos-linear"});
+  EXPECT_NE(script.find("'level 0.003207'"), std::string::npos) << script;
+  EXPECT_NE(script.find("column('contact')"), std::string::npos) << script;
+  EXPECT_EQ(script_of({"fit", "acos-linear", "--norm", "least-squares"}).find("level"), std::string::npos);
+  // A relative error is drawn as it is minimised, so the level belongs to it too.
+  const std::string relative = script_of({"fit", "exp2-cubic", "--norm", "minimax"});
+  EXPECT_NE(relative.find("relative error"), std::string::npos) << relative;
+}
+
+TEST(PlotOption, TargetsOfTwoVariablesAreToldApart) {
+  const std::string script =
+      script_of({"fit", "--target", "x y", "--form", "a x + b y", "--over", "x=0:1", "--over", "y=0:1"});
+  for (const char* entry : {"ls 10 title 'target, y = 0'", "ls 13 title 'target, y = 1'"})
+    EXPECT_NE(script.find(entry), std::string::npos) << script;
+}
+
+TEST(PlotOption, LongTitlesAndLabelsHaveSeveralLines) {
+  std::string form = "a";
+  for (int i = 1; i < 40; ++i) form += " + x^" + std::to_string(i) + "/" + std::to_string(100 + i);
+  const std::string script = script_of({"fit", "--target", "exp(x)", "--form", form, "--over", "x=0:1"});
+  const std::size_t begin = script.find("set title ");
+  const std::string title = script.substr(begin, script.find('\n', begin) - begin);
+  EXPECT_NE(title.find(".\"\\n\"."), std::string::npos) << title;
+  for (std::size_t at = 0; at < title.size(); at += 120)
+    EXPECT_NE(title.substr(at, 120).find('\''), std::string::npos) << "a line is too long: " << title;
+  std::string linear = "a0";
+  for (int i = 1; i < 6; ++i) linear += " + a" + std::to_string(i) + "*x^" + std::to_string(i);
+  const std::string many = script_of({"fit", "--target", "exp(x)", "--form", linear, "--over", "x=0:1"});
+  EXPECT_NE(many.find("vertical maxcols 1"), std::string::npos) << many;
+  EXPECT_NE(many.find("keyentry with lines lc rgb '#FFFFFF' title 'a"), std::string::npos) << many;
 }
 
 }  // namespace

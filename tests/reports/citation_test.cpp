@@ -34,19 +34,32 @@ TEST(Citation, BibtexHasThePlaceUnlessItIsTheAddress) {
             "  url = {https://host.org/2012/post},\n}\n");
 }
 
-TEST(Citation, ATextHasItsAuthorsAndYearFirstOrIsATitle) {
-  const auto entries = bibtex_of_texts({"Le Saec, Schlick 1993, An algorithm: k = 1.55 g - 0.55 g^3",
-                                        "Le Saec 1993, An algorithm", "MaterialX, 2024: mx_albedo",
-                                        "Eberly, as cited by Lagarde 2014, Inverse functions"});
-  ASSERT_EQ(entries.size(), 4U);
+TEST(Citation, AStudyCitesByFieldsAndWithoutThemByItsSource) {
+  const auto set = [](const std::string& source, std::optional<CitedWork> cite) {
+    return PublishedSet{.form = "", .values = {}, .source = source, .cite = std::move(cite)};
+  };
+  const CitedWork paper_of_two{.authors = {"Le Saec", "Schlick, Christophe"},
+                               .title = "An algorithm: k = 1.55 g - 0.55 g^3",
+                               .year = "1993",
+                               .howpublished = "Workshop",
+                               .note = "with a note",
+                               .url = "https://host.org/a_b"};
+  const CitedWork code{.authors = {"Unity Technologies"}, .title = "BSDF.hlsl: F_Coat"};
+  const auto entries =
+      bibtex_of_sets({set("a", paper_of_two), set("b", paper_of_two),
+                      set("c", CitedWork{.authors = {"Le"}, .title = "An algorithm", .year = "1993"}),
+                      set("d", code), set("Eberly 2014, Inverse functions", {})});
+  ASSERT_EQ(entries.size(), 4U) << "each work once";
   EXPECT_EQ(entries[0],
-            "@misc{le1993analgorithm,\n  author = {Le Saec and Schlick},\n"
-            "  title = {{An algorithm: k = 1.55 g - 0.55 g\\textasciicircum{}3}},\n  year = {1993},\n}\n");
+            "@misc{le1993analgorithm,\n  author = {{Le Saec} and Schlick, Christophe},\n"
+            "  title = {{An algorithm: k = 1.55 g - 0.55 g\\textasciicircum{}3}},\n  year = {1993},\n"
+            "  howpublished = {Workshop},\n  note = {with a note},\n  url = {https://host.org/a_b},\n}\n");
   EXPECT_TRUE(entries[1].starts_with("@misc{le1993analgorithmb,\n")) << "another key";
-  EXPECT_EQ(entries[2], "@misc{materialx2024mxalbedo,\n  title = {{MaterialX, 2024: mx\\_albedo}},\n}\n");
-  EXPECT_EQ(entries[3],
-            "@misc{eberlyascitedbylagarde2014inversefunctions,\n"
-            "  title = {{Eberly, as cited by Lagarde 2014, Inverse functions}},\n}\n");
+  EXPECT_EQ(entries[2],
+            "@misc{unitybsdfhlslfcoat,\n  author = {{Unity Technologies}},\n"
+            "  title = {{BSDF.hlsl: F\\_Coat}},\n}\n");
+  EXPECT_EQ(entries[3], "@misc{eberly,\n  title = {{Eberly 2014, Inverse functions}},\n}\n")
+      << "nothing is guessed from the words";
 }
 
 TEST(Citation, EachIdHasSourcesAndEachSourceAKeyOfItsOwn) {

@@ -137,5 +137,25 @@ TEST(StudyFile, RefusesWithTheLine) {
             "study 's.toml', line 3: [over] needs a variable and its range, for example x = \"0:1\"");
 }
 
+TEST(StudyFile, ReadsTheFieldsOfASource) {
+  const auto with_cite = [](const std::string& fields) {
+    return replaced(line_study, "values = {", "cite = { " + fields + " }\nvalues = {");
+  };
+  const StudyFile file = read_study_file(
+      with_cite(R"(author = ["A", "B, C"], title = "T", year = "2016", url = "https://a.org/b")"), "s.toml");
+  ASSERT_TRUE(file.published[0].cite.has_value());
+  EXPECT_EQ(file.published[0].cite->authors, (std::vector<std::string>{"A", "B, C"}));
+  EXPECT_EQ(file.published[0].cite->url, "https://a.org/b");
+  EXPECT_NE(refusal_of(with_cite(R"(year = "2016")")).find("'cite' needs an author or a title"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(with_cite(R"(author = "A", yaer = "2016")")).find("did you mean 'year'?"),
+            std::string::npos);
+  for (const char* url : {"a.org", "javascript:x", "https://a b", "https://a}"})
+    EXPECT_NE(
+        refusal_of(with_cite(std::string(R"(title = "T", url = ")") + url + "\"")).find("is not an address"),
+        std::string::npos)
+        << url;
+}
+
 }  // namespace
 }  // namespace shadefit

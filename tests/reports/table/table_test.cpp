@@ -52,5 +52,16 @@ TEST(Cell, BelowItsFloorADifferenceIsZero) {
   EXPECT_EQ(report(above_floor(1.24e-12, 1e-12)), "1.2e-12");
 }
 
+TEST(Table, TransposedHasItsFirstColumnAsTitles) {
+  const Table table{{"parameter", "value", "error"},
+                    {{"a", Number{1.5, 3}, 2L}, {"b", Number{2.5, 3}, Cell()}}};
+  const Table other = transposed(table);
+  EXPECT_EQ(other.columns, (std::vector<std::string>{"parameter", "a", "b"}));
+  ASSERT_EQ(other.rows.size(), 2U);
+  EXPECT_EQ(text(other.rows[0][0], Precision::report), "value");
+  EXPECT_EQ(text(other.rows[0][2], Precision::report), "2.5");
+  EXPECT_EQ(text(other.rows[1][1], Precision::report), "2");
+}
+
 }  // namespace
 }  // namespace shadefit

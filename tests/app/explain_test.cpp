@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "app/commands/command_line.hpp"
+#include "app/lint/lint_command.hpp"
+#include "tests/app/refusal.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::expect_refusal;
+using testing::json_of;
+
+std::string explained(const std::string& id) {
+  const Outcome outcome = run_command_line({"explain", id});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome.out;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Every id that lint prints is one that the other commands know.
+TEST(Explain, ListKnowsEachIdOfLint) {
+  std::set<std::string> listed;
+  for (const auto& row : json_of({"list"})["constants"]) listed.insert(row["id"].get<std::string>());
+  for (const lint::KnownSet& set : known_constants({}).sets) {
+    const bool is_family = set.form.empty();  // a family is listed by its claims
+    EXPECT_TRUE(listed.contains(set.id) || is_family) << set.id;
+  }
+}
+
+TEST(Explain, ExactConstantsAndFamilies) {
+  EXPECT_TRUE(explained("luma-709").starts_with("luma-709: luminance of linear Rec. 709 and sRGB\n"));
+  EXPECT_TRUE(has(explained("luma-709"), "ITU-R BT.709-6, 2015"));
+  const std::string family = explained("fresnel-quadratic");
+  EXPECT_TRUE(family.starts_with("fresnel-quadratic: ")) << family;
+  EXPECT_TRUE(has(family, "\nForm: exp2((a c + b) c); ")) << family;
+  EXPECT_TRUE(has(family, "\nfresnel-quadratic-a\n") && has(family, "\nfresnel-quadratic-b\n")) << family;
+  EXPECT_EQ(json_of({"explain", "fresnel-quadratic"})["claims"].size(), 2U);
+  expect_refusal({"explain", "luma-708"},
+                 "unknown claim, family or study 'luma-708': did you mean 'luma-709'?");
+}
+
+TEST(Explain, ANumberNamesTheConstantsThatHaveIt) {
+  const std::string pair = explained("5.55473");
+  EXPECT_TRUE(has(pair, "fresnel-quadratic-a") && has(pair, "the same digits")) << pair;
+  EXPECT_TRUE(has(pair, "\nNext: shadefit explain fresnel-quadratic-a\n")) << pair;
+  EXPECT_TRUE(has(explained("0.7152"), "luma-709")) << explained("0.7152");
+  EXPECT_FALSE(has(pair, "one digit differs")) << "another constant has all digits";
+  const std::string slip = explained("5.55437");
+  EXPECT_TRUE(has(slip, "fresnel-quadratic") && has(slip, "one digit differs")) << slip;
+  const auto json = json_of({"explain", "5.55473"});
+  EXPECT_EQ(json["number"], "5.55473");
+  EXPECT_EQ(json["constants"][0]["id"], "fresnel-quadratic-a");
+  expect_refusal({"explain", "123456.789123"},
+                 "no published constant that shadefit knows has the number '123456.789123'");
+}
+
+}  // namespace
+}  // namespace shadefit
