@@ -68,6 +68,7 @@ void name_form_numbers(KnownSet& set) {
 
 KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet& published) {
   KnownSet set{file.id, published.form, published.source, {}, read.form, {}};
+  set.is_encoded = file.is_encoded;
   for (const StudyAxis& axis : read.axes) set.axes.push_back({axis.variable, axis.lower, axis.upper});
   for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
   name_form_numbers(set);

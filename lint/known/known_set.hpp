@@ -54,6 +54,7 @@ struct KnownSet {
   /// the published constants.
   std::string times = {};
   double factor = 1;
+  bool is_encoded = false;  ///< whether the values are signals for a display: see `StudyFile`
 };
 
 /// The sets of all studies, those with powers of ten folded into them, and those of the built-in families.
