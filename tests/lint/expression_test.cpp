@@ -432,18 +432,17 @@ TEST(MatchExpression, AVariableThatIsOneMayBeFoldedAway) {
 }
 
 TEST(MatchExpression, AClampIsNoSlip) {
+  const std::string before =
+      "  r0.xyw = float3(0.416666657,0.416666657,0.416666657) * r0.xyw;\n  r0.xyw = exp2(r0.xyw);\n"
+      "  r0.xyw = r0.xyw * float3(1.05499995,1.05499995,1.05499995) + "
+      "float3(-0.0549999997,-0.0549999997,-0.0549999997);\n  r1.xyz = ";
   for (const char* clamped :
-       {"min(float3(1,1,1), r0.xyw)", "min(1.0, r0.xyw)", "saturate(r0.xyw)", "max(0, min(1, r0.xyw))"})
-    EXPECT_TRUE(
-        verdict_in(
-            std::string(
-                "  r0.xyw = float3(0.416666657,0.416666657,0.416666657) * r0.xyw;\n"
-                "  r0.xyw = exp2(r0.xyw);\n  r0.xyw = r0.xyw * float3(1.05499995,1.05499995,1.05499995) + "
-                "float3(-0.0549999997,-0.0549999997,-0.0549999997);\n  r1.xyz = ") +
-                clamped + ";\n",
-            SourceLanguage::hlsl)
-            .ends_with(" right"))
+       {"min(float3(1,1,1), r0.xyw)", "min(1.0, r0.xyw)", "saturate(r0.xyw)", "max(0, min(1, r0.xyw))"}) {
+    EXPECT_EQ(verdict_in(before + clamped + ";\n", SourceLanguage::hlsl), "none") << clamped;
+    EXPECT_EQ(verdict_in("  r0.xyw = log2(r0.xyw);\n" + before + clamped + ";\n", SourceLanguage::hlsl),
+              "srgb-encode right")
         << clamped;
+  }
 }
 
 TEST(MatchExpression, AnotherThresholdIsFoundWhereTheBranchesNearlyJoin) {
@@ -460,6 +459,14 @@ TEST(MatchExpression, AnotherThresholdIsFoundWhereTheBranchesNearlyJoin) {
   EXPECT_EQ(verdict_in("const f = x => x <= 0.031308 ? x * 12.92 : 1.055 * Math.pow(x, 1 / 2.4) - 0.055;\n",
                        SourceLanguage::javascript),
             "srgb-encode-standard wrong");
+}
+
+TEST(MatchExpression, AnInnerPowerMayBeACall) {
+  EXPECT_EQ(
+      verdict_in("float f(float v) {\n  if (v > 0.003130804954)\n    return 1.055 * pow_1_24(v) - 0.055;\n"
+                 "  return 12.92 * v;\n}\n",
+                 SourceLanguage::c_family),
+      "srgb-encode-standard right");
 }
 
 TEST(MatchExpression, ASignalIsMeasuredInCodesWithoutEncodingItAgain) {

@@ -235,7 +235,8 @@ TEST(LintFix, RemovesWhatAKilledRunLeft) {
   EXPECT_TRUE(fs::exists(folder / "a/.shadefit-q1w2E3/0.old")) << "--diff writes nothing";
   lint_fixing(folder.path().string(), "typo");
   ::close(in_use);
-  for (const char* gone : {"a/.shadefit-q1w2E3", "b/.shadefit-q1w2E3"}) EXPECT_FALSE(fs::exists(folder / gone));
+  for (const char* gone : {"a/.shadefit-q1w2E3", "b/.shadefit-q1w2E3"})
+    EXPECT_FALSE(fs::exists(folder / gone));
   for (const char* kept : {"a/.shadefit-q1w2E4/0.old/of-the-user", "a/.shadefit-q1w2E4/notes",
                            "a/.shadefit-cache/0.old", "a/.shadefit-q1w2E5"})
     EXPECT_TRUE(fs::exists(folder / kept)) << kept;
