@@ -126,6 +126,10 @@ std::vector<JudgedSite> judge_numbers(const ScannedText& text, const KnownConsta
   };
   const auto reading = [&](const Site& site) {
     checkpoint();
+    // Another set with these digits explains them better than a multiple with other ones.
+    const bool is_exact = std::ranges::all_of(
+        site.numbers, [](const SiteNumber& number) { return number.match < DigitMatch::rounded; });
+    if (!known.sets[site.set].times.empty() && !is_exact) return Reading{};
     return reading_of(program_of(site), known.sets[site.set], site, memory);
   };
   std::vector<JudgedSite> judged;

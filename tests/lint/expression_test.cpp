@@ -139,6 +139,17 @@ TEST(ValuesAround, WhatIsComputedBeforeIsAVariableOrIsNot) {
   EXPECT_EQ(to_text(values[1]), "0.55 (1 - y)");
 }
 
+TEST(ValuesAround, AValueThatGrowsIsLeft) {
+  std::string text = "{ float b = 0.55 * x;";
+  for (int i = 0; i < 29; ++i) text += " b = b*b - x;";
+  const std::size_t at = text.find("0.55");
+  text += " return b; }";
+  EXPECT_FALSE(values_around(text, at, at + 4, CommentStyle::c, read_expression).empty());
+  text = "{ float b = x;" + text.substr(text.find(" b = b*b")) + " return 0.55 * b; }";
+  EXPECT_TRUE(values_around(text, text.find("0.55"), text.find("0.55") + 4, CommentStyle::c, read_expression)
+                  .size() <= 1);
+}
+
 std::set<std::string> mutants(const std::string& formula) {
   std::set<std::string> texts;
   for (const Mutant& mutant : mutants_of(read_formula(formula, {.variables = {"a", "b", "c", "x"}}).formula))
