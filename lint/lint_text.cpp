@@ -115,17 +115,29 @@ Site without_arguments(Site site, const KnownSet& set, const ScannedText& text) 
 std::vector<JudgedSite> judge_numbers(const ScannedText& text, const KnownConstants& known,
                                       const EffectLimits& limits, TextMemory& memory,
                                       const Checkpoint& checkpoint) {
-  const std::string joined = with_joined_strings(text.text, text.style);
-  const ScannedText program{joined, text.style, text.literals};
+  std::optional<std::string> code, comments;
+  const auto program_of = [&](const Site& site) {
+    const bool is_in_comment = text.literals[site.numbers.front().literal].is_in_comment;
+    std::optional<std::string>& program = is_in_comment ? comments : code;
+    if (!program)
+      program = with_joined_strings(
+          is_in_comment ? std::string(text.text) : with_blank_comments(text.text, text.style), text.style);
+    return ScannedText{*program, text.style, text.literals};
+  };
   const auto reading = [&](const Site& site) {
     checkpoint();
-    return reading_of(program, known.sets[site.set], site, memory);
+    // Another set with these digits explains them better than a multiple with other ones.
+    const bool is_exact = std::ranges::all_of(
+        site.numbers, [](const SiteNumber& number) { return number.match < DigitMatch::rounded; });
+    if (!known.sets[site.set].times.empty() && !is_exact) return Reading{};
+    return reading_of(program_of(site), known.sets[site.set], site, memory);
   };
   std::vector<JudgedSite> judged;
   for (const Site& whole : sites_of(text, known.sets, known.index, reading)) {
     checkpoint();
     const KnownSet& set = known.sets[whole.set];
     const Site site = without_arguments(whole, set, text);
+    const ScannedText program = program_of(site);
     auto one = judge_site(text, program, set, site, limits, memory);
     if (!one) continue;
     one->is_in_table = set.constants.size() < least_table &&

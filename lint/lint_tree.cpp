@@ -63,6 +63,7 @@ void add_set(LintedSite& site, const KnownSet& set, const GradedSite& graded) {
   site.grade = graded.grade;
   site.effect = graded.effect;
   site.is_shown = graded.is_shown;
+  site.is_encoded = set.is_encoded;
 }
 
 LintedSite linted(const std::string& file, std::string_view text, const KnownSet& set,

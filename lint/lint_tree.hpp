@@ -47,6 +47,7 @@ struct LintedSite {
   Grade grade = Grade::right;
   Effect effect = {};
   bool is_shown = false;
+  bool is_encoded = false;               ///< see `KnownSet`
   std::string slip = {}, replaced = {};  ///< see JudgedSite
   bool is_in_comment = false;
   std::optional<std::string> ignored = {};  ///< the reason of a mark "shadefit: ignore REASON"

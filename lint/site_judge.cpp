@@ -343,9 +343,9 @@ class SiteJudge {
     return numbers;
   }
 
-  /// Whether the digits do not show which constant a number is: two slips in three digits.
+  /// Whether neither the digits nor a list shows which constant a number is: two slips in three digits.
   bool is_by_expression(const SiteNumber& number) const {
-    return number.match == DigitMatch::edited && !number.variant &&
+    return number.match == DigitMatch::edited && !number.variant && site_.bits < telling_bits &&
            published(number).text.size() < least_digits_to_vary;
   }
 

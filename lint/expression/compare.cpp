@@ -1,10 +1,13 @@
 #include "lint/expression/compare.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "lint/expression/absorbed.hpp"
 #include "lint/expression/mutants.hpp"
 
 namespace shadefit::lint {
@@ -300,6 +303,24 @@ std::optional<KnownSet> core_of(const KnownSet& set) {
   return count_operations(core).total() < least_operations ? std::nullopt : std::optional(std::move(small));
 }
 
+/// Adds the numbers with which an expression compares something.
+void append_thresholds(const Symbolic& expression, std::vector<double>& thresholds) {
+  if (expression.kind() == Symbolic::Kind::choice)
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
+      if (is_number(expression.part(side)))
+        thresholds.push_back(evaluate<double>(expression.part(side), [](const auto&) { return 0.0; }));
+  for (const Symbolic& part : expression.parts()) append_thresholds(part, thresholds);
+}
+
+/// Whether a form compares something with this name.
+bool compares_with(const Symbolic& form, const std::string& name) {
+  const auto is_name = [&](const Symbolic& side) {
+    return side.kind() == Symbolic::Kind::variable && side.name() == name;
+  };
+  if (form.kind() == Symbolic::Kind::choice && (is_name(form.part(0)) || is_name(form.part(1)))) return true;
+  return std::ranges::any_of(form.parts(), [&](const Symbolic& part) { return compares_with(part, name); });
+}
+
 /// Compares an expression with a form.
 class ExpressionMatcher {
  public:
@@ -309,9 +330,7 @@ class ExpressionMatcher {
         constants_(constants),
         numbers_(numbers),
         parts_(full_parts(expression, numbers)),
-        comparison_(set, parts_) {
-    append_parts({set.formula, constants}, allowed_);
-  }
+        comparison_(set, parts_) {}
 
   std::optional<ExpressionMatch> form() const {
     if (comparison_.has({set_.formula, constants_})) return ExpressionMatch{set_.formula, constants_};
@@ -329,32 +348,89 @@ class ExpressionMatcher {
     return ExpressionMatch{set_.formula, constants_};
   }
 
-  /// A part of the form alone is not a slip: the rest may be in another statement.
-  std::optional<ExpressionMatch> replaced(const std::vector<std::size_t>& missing) const {
+  /// The form with another number as a missing threshold. The values at some places do not show it, because
+  /// the branches nearly join there.
+  std::optional<ExpressionMatch> compared(const std::vector<std::size_t>& missing) const {
+    constexpr double near = 0.05;  // nearer ones may join the branches better
     if (comparison_.is_empty()) return std::nullopt;
+    std::vector<double> thresholds;
+    append_thresholds(parts_.back().formula, thresholds);
     for (const std::size_t constant : missing) {
-      for (const double number : parts_.back().numbers) {
-        if (count_held({number}, numbers_) > 0) continue;
+      if (!compares_with(set_.formula, set_.constants[constant].name)) continue;
+      for (const double number : thresholds) {
+        if (is_near(number, constants_[constant], near)) continue;
         std::vector<double> other = constants_;
-        other[constant] = std::copysign(number, constants_[constant]);
-        if (comparison_.has_other({set_.formula, other}, allowed_, same_curve))
+        other[constant] = number;
+        if (comparison_.has({set_.formula, other}))
           return ExpressionMatch{.form = set_.formula, .constants = other, .replaced = constant};
       }
     }
     return std::nullopt;
   }
 
+  /// A part of the form alone is not a slip: the rest may be in another statement.
+  std::optional<ExpressionMatch> replaced(const std::vector<std::size_t>& missing) const {
+    if (comparison_.is_empty()) return std::nullopt;
+    const std::vector<Curve> allowed = allowed_curves();
+    for (const std::size_t constant : missing) {
+      for (const double number : parts_.back().numbers) {
+        if (count_held({number}, numbers_) > 0) continue;
+        std::vector<double> other = constants_;
+        other[constant] = std::copysign(number, constants_[constant]);
+        if (comparison_.has_other({set_.formula, other}, allowed, same_curve))
+          return ExpressionMatch{.form = set_.formula, .constants = other, .replaced = constant};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The form with an inner part computed elsewhere, perhaps with a slip.
+  std::optional<ExpressionMatch> absorbed(const Symbolic& expression) const;
+
   std::optional<ExpressionMatch> slipped() const {
     // Rounding hides a smaller difference.
     constexpr double hidden = 1e-4;
     if (comparison_.is_empty() || parts_.back().held < numbers_.size()) return std::nullopt;
+    const std::vector<Curve> allowed = allowed_curves();
+    for (std::size_t i = 0; i < constants_.size(); ++i)
+      for (std::size_t j = i + 1; j < constants_.size(); ++j)
+        for (const std::vector<double>& other : exchanged(i, j))
+          if (comparison_.has_other({set_.formula, other}, allowed, hidden))
+            return ExpressionMatch{.form = set_.formula,
+                                   .constants = other,
+                                   .slip = fmt::format("{} and {} exchanged", set_.constants[i].printed,
+                                                       set_.constants[j].printed)};
     for (const Mutant& mutant : mutants_of(set_.formula))
-      if (comparison_.has_other({mutant.formula, constants_}, allowed_, hidden))
+      if (has_variable(mutant.formula) &&
+          comparison_.has_other({mutant.formula, constants_}, allowed, hidden))
         return ExpressionMatch{.form = mutant.formula, .constants = constants_, .slip = mutant.words};
     return std::nullopt;
   }
 
  private:
+  /// What is right: the form and its parts, without a variable that is 1, and with inner parts elsewhere.
+  std::vector<Curve> allowed_curves() const {
+    std::vector<Curve> allowed;
+    append_parts({set_.formula, constants_}, allowed);
+    for (const KnownAxis& axis : set_.axes)
+      if (axis.lower <= 1 && 1 <= axis.upper)
+        allowed.push_back(
+            {with_part(set_.formula, Symbolic::variable(axis.variable), Symbolic::number("1")), constants_});
+    for (const Absorbed& one : absorbed_parts())
+      allowed.push_back(
+          {with_part(one.outer.formula, Symbolic::variable(one.name), Symbolic::variable(one.variable)),
+           constants_});
+    return allowed;
+  }
+
+  /// The inner parts whose constants are not in the expression.
+  std::vector<Absorbed> absorbed_parts() const {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < constants_.size(); ++i)
+      if (count_held({std::abs(constants_[i])}, numbers_) == 0) missing.push_back(i);
+    return absorbed_in(set_, constants_, missing);
+  }
+
   /// Whether the expression has each number that differs from the published one. Otherwise it tells nothing
   /// about that number.
   bool holds_changed(const std::vector<double>& published) const {
@@ -364,12 +440,44 @@ class ExpressionMatcher {
     return !parts_.empty() && count_held(parts_.back().numbers, changed) == changed.size();
   }
 
+  /// The constants with two of them exchanged: each with its sign, and with that of its new place.
+  std::vector<std::vector<double>> exchanged(std::size_t i, std::size_t j) const {
+    if (std::abs(constants_[i]) == std::abs(constants_[j])) return {};
+    std::vector<double> moved = constants_;
+    std::swap(moved[i], moved[j]);
+    std::vector<double> signed_there = moved;
+    for (const std::size_t k : {i, j}) signed_there[k] = std::copysign(moved[k], constants_[k]);
+    return {signed_there, moved};
+  }
+
+  /// Without one, a curve is a number, as the result of a clamp may be.
+  bool has_variable(const Symbolic& formula) const {
+    const std::set<std::string> names = names_of(formula);
+    return std::ranges::any_of(set_.axes,
+                               [&](const KnownAxis& axis) { return names.contains(axis.variable); });
+  }
+
   const KnownSet& set_;
   const std::vector<double>&constants_, &numbers_;
   std::vector<Part> parts_;
   CurveComparison comparison_;
-  std::vector<Curve> allowed_;
 };
+
+std::optional<ExpressionMatch> ExpressionMatcher::absorbed(const Symbolic& expression) const {
+  constexpr int least_operations = 3;  // simpler ones occur elsewhere
+  if (parts_.empty()) return std::nullopt;
+  for (const Absorbed& one : absorbed_parts()) {
+    if (count_operations(one.outer.formula).total() < least_operations) continue;
+    const ExpressionMatcher outer(expression, one.outer, constants_, numbers_);
+    auto match = outer.form();
+    if (!match) match = outer.slipped();
+    if (!match) continue;
+    match->form = with_part(match->form, Symbolic::variable(one.name), one.inner);
+    match->is_core = match->slip.empty();
+    return match;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -390,10 +498,12 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing) {
   const ExpressionMatcher whole(expression, set, constants, numbers);
+  if (auto match = whole.compared(missing)) return match;
   if (auto match = whole.form()) return match;
   if (missing.empty())
     if (auto match = whole.multiple()) return match;
   if (auto match = whole.replaced(missing)) return match;
+  if (auto match = whole.absorbed(expression)) return match;
   if (const auto small = core_of(set)) {
     const ExpressionMatcher core(expression, *small, constants, numbers);
     auto match = core.form();

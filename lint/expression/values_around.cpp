@@ -17,7 +17,15 @@ constexpr std::size_t most_bytes_around = 700;
 constexpr std::size_t most_bytes_before = 300;
 
 /// A person does not write larger formulas.
-constexpr std::size_t deepest_value = 60;
+constexpr std::size_t deepest_value = 60, most_parts_of_value = 1000;
+
+/// Whether a formula has more parts than this; each use of a name counts, as in b = b * b - a, again and
+/// again.
+bool has_more_parts(const Symbolic& formula, std::size_t& left) {
+  if (left-- == 0) return true;
+  return std::ranges::any_of(formula.parts(),
+                             [&](const Symbolic& part) { return has_more_parts(part, left); });
+}
 
 /// Whether a name and "=" follow: the next declaration of "float a = 2.51, b = 0.03".
 bool begins_declaration(std::string_view text) {
@@ -111,7 +119,8 @@ std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::s
     if (statement.end <= begin && !keeps_all && !is_number(value)) continue;
     if (assignment->operation != '\0')
       value = combined(assignment->operation, value_of(assignment->name), value);
-    if (value.depth() > deepest_value) return values;
+    std::size_t left = most_parts_of_value;
+    if (value.depth() > deepest_value || has_more_parts(value, left)) return values;
     if (!assignment->name.empty()) known.insert_or_assign(assignment->name, value);
     if (statement.end >= end) values.push_back(value);
   }

@@ -26,6 +26,7 @@ std::string_view name(Grade grade) {
 Grade grade_of(const KnownSet& set, const SiteNumber& number) {
   if (number.variant) {
     const KnownVariant& variant = set.variants[*number.variant];
+    if (variant.is_right) return Grade::right;
     if (!variant.replaced.empty()) return Grade::outdated;
     const bool is_short =
         is_shortened(digits_of(variant.printed), digits_of(set.constants[number.constant].printed));

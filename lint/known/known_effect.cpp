@@ -95,8 +95,14 @@ Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<do
   const std::vector<double> before = values_on_grid(set, set.formula, published, grid),
                             after = values_on_grid(set, form, constants, grid);
   Effect effect;
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (std::isfinite(before[i])) effect.show(before[i], after[i], {});
+  double encoded_codes = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!std::isfinite(before[i])) continue;
+    effect.show(before[i], after[i], {});
+    const double moved = std::clamp(after[i], 0.0, 1.0) - std::clamp(before[i], 0.0, 1.0);
+    encoded_codes = std::max(encoded_codes, 255 * std::abs(moved));
+  }
+  if (set.is_encoded) effect.srgb_codes = encoded_codes;
   return effect;
 }
 

@@ -1,6 +1,7 @@
 #include "lint/known/known_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -68,6 +69,7 @@ void name_form_numbers(KnownSet& set) {
 
 KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet& published) {
   KnownSet set{file.id, published.form, published.source.unescaped(), {}, read.form, {}};
+  set.is_encoded = file.is_encoded;
   for (const StudyAxis& axis : read.axes) set.axes.push_back({axis.variable, axis.lower, axis.upper});
   for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
   name_form_numbers(set);
@@ -122,6 +124,28 @@ std::size_t count_places(const Symbolic& formula, const std::string& name) {
   return count;
 }
 
+/// Adds, for the numbers in the text of a form, what other sources have for them: another form may have the
+/// number as a constant. 0.2343580 is in planck-y, because its x is that of planck-x, and 0.2343589 is there
+/// too.
+void append_other_sources(KnownSet& set, const std::vector<KnownSet>& sets) {
+  constexpr double near = 1e-3;  // a number for another given constant differs by more
+  const auto differ = [](const KnownConstant& a, const KnownConstant& b) {
+    return std::abs(std::abs(a.value) - std::abs(b.value)) / std::abs(a.value);
+  };
+  for (std::size_t c = 0; c < set.constants.size(); ++c) {
+    if (!set.constants[c].is_of_form) continue;
+    for (const KnownSet& source : sets)
+      for (std::size_t i = 0; i < source.constants.size(); ++i) {
+        if (differ(set.constants[c], source.constants[i]) > 0) continue;
+        for (const KnownSet& other : sets)
+          if (other.id == source.id && other.form == source.form &&
+              differ(set.constants[c], other.constants[i]) > 0 &&
+              differ(set.constants[c], other.constants[i]) < near)
+            set.variants.push_back({c, other.constants[i].printed, "", true, true});
+      }
+  }
+}
+
 /// Marks what depends on all sets, and the constants that a form has at several places.
 void mark_known(std::vector<KnownSet>& sets) {
   std::set<std::string> published;
@@ -142,6 +166,7 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
   append_families(sets);
   for (const StudyFile& study : studies) append_sets(study, sets);
   for (KnownSet& folded : folded_powers_of(sets)) sets.push_back(std::move(folded));
+  for (KnownSet& set : sets) append_other_sources(set, sets);
   mark_known(sets);
   return sets;
 }

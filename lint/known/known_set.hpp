@@ -35,6 +35,7 @@ struct KnownVariant {
   std::string printed;
   std::string replaced;      ///< why it was replaced; empty: it is a mistyped copy
   bool is_borrowed = false;  ///< whether another set publishes these digits: then they tell nothing
+  bool is_right = false;     ///< whether a source published it: see append_other_sources()
 };
 
 /// Whether a number is, to seven digits, a simple fraction, perhaps times pi, 1/pi, sqrt(2), ln 2 or 1/ln 2.
@@ -54,6 +55,7 @@ struct KnownSet {
   /// the published constants.
   std::string times = {};
   double factor = 1;
+  bool is_encoded = false;  ///< whether the values are signals for a display: see `StudyFile`
 };
 
 /// The sets of all studies, those with powers of ten folded into them, and those of the built-in families.

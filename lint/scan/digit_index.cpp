@@ -85,7 +85,7 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
     for (std::size_t skipped = 0; skipped <= text.size(); ++skipped) {
       const std::uint64_t key = key_of(text, skipped);
       keys_.emplace_back(key, e);
-      has_key_.set(key % has_key_.size());
+      has_key_[key % has_key_.size()] = true;
     }
   }
   std::ranges::sort(keys_);
@@ -93,7 +93,7 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
     // Rounding and floats change the sixth digit by one.
     const std::size_t first = first_digits(multiple.digits.text);
     for (const std::size_t near : {first - 1, first, first + 1})
-      has_multiple_.set(near % has_multiple_.size());
+      has_multiple_[near % has_multiple_.size()] = true;
   }
 }
 

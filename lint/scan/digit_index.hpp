@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -53,8 +52,9 @@ class DigitIndex {
 
   std::vector<Entry> entries_, multiples_;  ///< by rising mantissa
   std::vector<Key> keys_;                   ///< of shortened texts, sorted; the entry
-  std::bitset<1 << 20> has_key_;            ///< by the last bits of a key
-  std::bitset<1'000'000> has_multiple_;     ///< by the first six digits
+  // On the heap: a thread may have a stack of 256 kB.
+  std::vector<bool> has_key_ = std::vector<bool>(1 << 20);         ///< by the last bits of a key
+  std::vector<bool> has_multiple_ = std::vector<bool>(1'000'000);  ///< by the first six digits
 };
 
 }  // namespace shadefit::lint

@@ -141,6 +141,11 @@ bool is_usual_slip(const Digits& found, const Digits& published) {
          (first > 0 && is_double(b, first - 1) && is_double(a, first));
 }
 
+bool is_edited(const Digits& found, const Digits& published) {
+  return found.text.size() == published.text.size() && found.exponent == published.exponent &&
+         found.text != published.text && is_one_edit(found.text, published.text);
+}
+
 bool is_rounded_and_edited(const Digits& found, const Digits& published) {
   constexpr std::size_t least_digits = 5;
   if (found.text.empty()) return false;

@@ -15,6 +15,7 @@ enum class DigitMatch {
   enough,              ///< of a multiple, with as many digits as the published number has
   rounded,             ///< fewer digits, rounded or cut off, or those of the nearest half
   shifted,             ///< the same digits, with the decimal point elsewhere
+  usual_slip,          ///< see is_usual_slip()
   edited,              ///< one digit differs, is missing or too many, or two neighbours are swapped
   rounded_and_edited,  ///< fewer digits, and one of them edited: 6.98316 as 6.9832, then 6.9382
 };
@@ -23,8 +24,8 @@ enum class DigitMatch {
 /// near.
 inline constexpr std::size_t least_digits_to_vary = 4;
 
-/// Compares a number without its sign. Empty if it is another number. It never answers `rounded_and_edited`,
-/// which a hundred times as many numbers are.
+/// Compares a number without its sign. Empty if it is another number. It never answers `usual_slip`, which is
+/// for numbers of few digits, and `rounded_and_edited`, which a hundred times as many numbers are.
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published);
 
 /// Compares a number with a multiple of a published one that has this many digits; the multiple has more.
@@ -39,6 +40,9 @@ bool is_cut(const Digits& found, const Digits& published);
 /// Whether two neighbours are swapped, or the other one of two digits is doubled: 578 for 587, 229 for 299.
 /// These are the slips of a person who knows the number; a number of three digits has at most two of them.
 bool is_usual_slip(const Digits& found, const Digits& published);
+
+/// Whether one digit is replaced, or two neighbours are swapped.
+bool is_edited(const Digits& found, const Digits& published);
 
 /// Whether one edit turns the published number, rounded or cut off to five digits or more, into the digits.
 bool is_rounded_and_edited(const Digits& found, const Digits& published);

@@ -150,11 +150,14 @@ class QuoteFinder {
 /// Scans a text for numbers.
 class LiteralReader {
  public:
-  LiteralReader(std::string_view text, CommentStyle style)
-      : text_(text), style_(style), quotes_(text, style) {}
+  /// `code`: the text, in which comments become blanks; or nothing.
+  LiteralReader(std::string_view text, CommentStyle style, std::string* code)
+      : text_(text), style_(style), quotes_(text, style), code_(code) {}
 
   std::vector<Literal> read() {
     while (at_ < text_.size()) {
+      const std::size_t first = at_;
+      const bool was_long = comment_ == '*';
       const char c = text_[at_];
       if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
         number();
@@ -164,12 +167,19 @@ class LiteralReader {
         if (style_ != CommentStyle::none) quote_or_comment();
         ++at_;
       }
+      // With the last sign of a comment, that is no longer open.
+      if (code_ != nullptr && (comment_ != '\0' || (was_long && c == '*'))) blank(first);
     }
     return std::move(literals_);
   }
 
  private:
   char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+  void blank(std::size_t first) {
+    for (std::size_t i = first; i < at_; ++i)
+      if (!is_blank((*code_)[i])) (*code_)[i] = ' ';
+  }
 
   void word() {
     // One letter follows a backslash: "\n0.055" in a string holds a number.
@@ -249,6 +259,7 @@ class LiteralReader {
   std::size_t at_ = 0;
   QuoteFinder quotes_;
   std::optional<Quote> quote_;
+  std::string* code_;
   char comment_ = '\0';  ///< '/' to the end of the line, '*' to its mark
   std::vector<Literal> literals_;
 };
@@ -299,7 +310,13 @@ Digits digits_of(std::string_view number) {
 }
 
 std::vector<Literal> literals_of(std::string_view text, CommentStyle style) {
-  return LiteralReader(text, style).read();
+  return LiteralReader(text, style, nullptr).read();
+}
+
+std::string with_blank_comments(std::string_view text, CommentStyle style) {
+  std::string code(text);
+  LiteralReader(text, style, &code).read();
+  return code;
 }
 
 }  // namespace shadefit::lint

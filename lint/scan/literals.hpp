@@ -51,6 +51,9 @@ std::vector<Literal> literals_of(std::string_view text, CommentStyle style);
 
 inline constexpr std::size_t most_digits = 40;
 
+/// The text with blanks in place of its comments, byte for byte at the same places.
+std::string with_blank_comments(std::string_view text, CommentStyle style);
+
 /// A text with its numbers.
 struct ScannedText {
   std::string_view text;

@@ -62,6 +62,8 @@ class SiteBits {
         return bits(found) - 1;  // rounded or cut off
       case DigitMatch::shifted:
         return bits(published) - 3;  // some eight other places of the point
+      case DigitMatch::usual_slip:
+        return bits(published) - 1;  // one of two
       case DigitMatch::edited:
         return bits(published) - bits_of_edits(published);
       case DigitMatch::rounded_and_edited:
@@ -119,20 +121,22 @@ class SiteBits {
     return bits + bits_of_a_list + bits_of_decimals();
   }
 
-  /// The bits of a list that is rounded to the same number of decimals, as 0.212, 0.715, 0.072. One choice
-  /// between rounding and cutting holds for all, and a zero behind the point is a digit too.
+  /// The bits of a list with the same number of decimals: as published, or rounded as 0.212, 0.715, 0.072.
+  /// One choice between rounding and cutting holds for all, and a zero behind the point is a digit too.
   double bits_of_decimals() const {
     constexpr std::size_t least_numbers = 3;
-    const auto are_all = [&](bool (*is_short)(const Digits&, const Digits&)) {
+    const auto are_all = [&](DigitMatch match, bool (*is_so)(const Digits&, const Digits&)) {
       return std::ranges::all_of(site_.numbers, [&](const SiteNumber& number) {
-        return number.match == DigitMatch::rounded && !number.variant &&
-               is_short(digits_at(number.literal), digits_of(set_.constants[number.constant].printed));
+        return number.match == match && !number.variant &&
+               is_so(digits_at(number.literal), digits_of(set_.constants[number.constant].printed));
       });
     };
-    if (site_.numbers.size() < least_numbers || !(are_all(is_rounded) || are_all(is_cut)) ||
+    const bool are_published = are_all(DigitMatch::same, [](const Digits&, const Digits&) { return true; });
+    const bool are_short = are_all(DigitMatch::rounded, is_rounded) || are_all(DigitMatch::rounded, is_cut);
+    if (site_.numbers.size() < least_numbers || !(are_published || are_short) ||
         !have_same_decimals(text_, first(), last()))
       return 0;
-    double bits = static_cast<double>(site_.numbers.size()) - 1;
+    double bits = are_short ? static_cast<double>(site_.numbers.size()) - 1 : 0;
     for (const SiteNumber& number : site_.numbers)
       bits += std::log2(10) * std::max(0, -digits_at(number.literal).exponent);
     return bits;

@@ -106,8 +106,14 @@ class SiteFinder {
     constexpr std::size_t two = 2;
     const KnownSet& set = sets_[site.set];
     if (!set.times.empty() && site.numbers.size() < two && set.constants.size() > two) return;
-    add_short(site);
+    add_in_list(site, &SiteFinder::shortened);
     site.bits = bits_of(text_, set, site);
+    if (site.bits < telling_bits) {
+      Site whole = site;
+      add_in_list(whole, &SiteFinder::slipped);
+      whole.bits = bits_of(text_, set, whole);
+      if (whole.bits >= telling_bits) site = std::move(whole);
+    }
     if (site.bits >= telling_bits && add_wrong(site)) site.bits = bits_of(text_, set, site);
     if (site.bits < least_bits) return;
     if (site.bits < telling_bits) add_two_slips(site);
@@ -214,20 +220,34 @@ class SiteFinder {
     std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
   }
 
-  /// Adds the constant that a list has rounded to too few digits to be looked for alone: 0.072 beside 0.212
-  /// and 0.715.
-  void add_short(Site& site) const {
+  /// A number of a list that has too few digits to be looked for alone, as 0.072 beside 0.212 and 0.715.
+  static std::optional<DigitMatch> shortened(const Literal& literal, const Digits& published) {
+    if (literal.significant >= least_digits_alone || !is_shortened(literal.digits, published))
+      return std::nullopt;
+    return DigitMatch::rounded;
+  }
+
+  /// A number of a list that has too few digits to be looked for with an edit: 0.0772 beside 0.2126 and
+  /// 0.7152.
+  static std::optional<DigitMatch> slipped(const Literal& literal, const Digits& published) {
+    if (published.text.size() != least_digits_alone || !is_edited(literal.digits, published))
+      return std::nullopt;
+    return is_usual_slip(literal.digits, published) ? DigitMatch::usual_slip : DigitMatch::edited;
+  }
+
+  /// Adds the only missing constant, if it is in a list with the others, in the published order.
+  void add_in_list(Site& site, std::optional<DigitMatch> (*match_of)(const Literal&, const Digits&)) const {
     const std::vector<std::size_t> missing = missing_constants(set_of(site), site);
     if (missing.size() != 1) return;
     const std::size_t constant = missing.front();
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
     for (const std::size_t i : free_near(site, 1)) {
       const std::size_t begin = std::min(first, i), end = std::max(last, i);
-      if (at(i).significant >= least_digits_alone || end - begin != site.numbers.size() ||
-          !keeps_order(site, constant, i) || !is_shortened(at(i).digits, published(site, constant)) ||
+      const auto match = match_of(at(i), published(site, constant));
+      if (!match || end - begin != site.numbers.size() || !keeps_order(site, constant, i) ||
           !have_same_decimals(text_, begin, end) || !is_whole_list(text_, begin, end))
         continue;
-      site.numbers.push_back({i, constant, DigitMatch::rounded});
+      site.numbers.push_back({i, constant, *match});
       std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
       return;
     }

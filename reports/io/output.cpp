@@ -77,24 +77,59 @@ class Lock : boost::noncopyable {
   int descriptor_;
 };
 
+inline std::vector<fs::path> paths_in(const fs::path& directory) {
+  std::error_code error;
+  std::vector<fs::path> paths;
+  for (fs::directory_iterator entry(directory, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    paths.push_back(entry->path());
+  return paths;
+}
+
+constexpr std::string_view workshop_prefix = ".shadefit-", unique_part = "XXXXXX";
+
+inline bool is_workshop_name(std::string_view name) {
+  return name.starts_with(workshop_prefix) && name.size() == workshop_prefix.size() + unique_part.size();
+}
+
+/// "12.new" or "12.old".
+inline bool is_change_name(std::string_view name) {
+  const std::size_t point = name.find_first_not_of("0123456789");
+  return point > 0 && point < name.size() && (name.substr(point) == ".new" || name.substr(point) == ".old");
+}
+
 /// A new directory inside another, so that what is written there can be renamed to its place. Its name is
-/// unique, so no foreign file is in the way. Removed at the end, unless it contains a foreign file.
+/// unique, so no foreign file is in the way. Removed at the end, unless it contains a foreign file. It is
+/// locked until then: one without a lock is that of a run that was killed.
 class Workshop : boost::noncopyable {
  public:
   explicit Workshop(const fs::path& directory) {
-    std::string name = (directory / ".shadefit-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) fail_to("write to", directory, words_of(errno));
-    path_ = name;
+    remove_leftovers(directory);
+    std::error_code none;
+    do {
+      close();
+      std::string name = (directory / fmt::format("{}{}", workshop_prefix, unique_part)).string();
+      if (::mkdtemp(name.data()) == nullptr) fail_to("write to", directory, words_of(errno));
+      path_ = name;
+      descriptor_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+    } while (!fs::exists(path_, none));  // another run may have removed it before the lock
   }
   ~Workshop() {
     std::error_code ignored;
     fs::remove(path_, ignored);
+    close();
   }
 
   fs::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
+  void close() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
   fs::path path_;
+  int descriptor_ = -1;
 };
 
 /// Writes or removes one file. The old file is restored unless the change is finished.
@@ -146,14 +181,14 @@ class FileChange : boost::noncopyable {
   const char* act() const { return fresh_.empty() ? "remove" : "write"; }
 
   /// Gives the old file a second name, so that its place is never empty. If the file system has no second
-  /// names, renames it.
+  /// names, copies it.
   void keep_old() {
     std::error_code error;
     const auto status = fs::symlink_status(place_, error);
     if (!fs::exists(status)) return;
     if (fs::is_directory(status)) fail_to(act(), place_, "it is a directory");
     fs::create_hard_link(place_, kept_, error);
-    if (error) fs::rename(place_, kept_, error);
+    if (error) fs::copy(place_, kept_, fs::copy_options::copy_symlinks, error);
     if (error) fail_to("keep the old", place_, error.message());
     has_kept_ = true;
   }
@@ -200,6 +235,21 @@ struct Output::Parts {
   std::optional<Workshop> workshop;
   std::list<FileChange> changes;
 };
+
+void remove_leftovers(const fs::path& directory) {
+  std::error_code error;
+  for (const fs::path& path : paths_in(directory)) {
+    if (!is_workshop_name(path.filename().string())) continue;
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+      for (const fs::path& file : paths_in(path))
+        if (is_change_name(file.filename().string())) fs::remove(file, error);
+      fs::remove(path, error);  // unless a foreign file is in it
+    }
+    ::close(descriptor);
+  }
+}
 
 Output::Output(const fs::path& named, Company company) : parts_(std::make_unique<Parts>()) {
   require_directory(named);

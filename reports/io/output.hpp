@@ -47,6 +47,10 @@ class Output {
   std::unique_ptr<Parts> parts_;
 };
 
+/// Removes the temporary directories that runs left in a directory when they were killed. Every Output there
+/// does so first.
+void remove_leftovers(const std::filesystem::path& directory);
+
 /// All of this at once, for places that are free or ours.
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files,
                  const Checkpoint& checkpoint = keep_going, const std::vector<File>& obsolete = {});

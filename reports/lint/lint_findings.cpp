@@ -52,7 +52,8 @@ std::string effect_words(const LintedSite& site) {
   std::string words = std::isfinite(change) ? fmt::format("the curve moves by up to {}", decimal(change, 2))
                                             : "the curve has no value at some places";
   if (site.is_shown && std::isfinite(change))
-    words += fmt::format(", {} codes of 8-bit sRGB", decimal(site.effect.srgb_codes, 2));
+    words += fmt::format(", {} codes of {}", decimal(site.effect.srgb_codes, 2),
+                         site.is_encoded ? "8 bits" : "8-bit sRGB");
   return words;
 }
 

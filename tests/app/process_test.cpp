@@ -79,6 +79,20 @@ TEST(Process, AnInterruptionOfThePrintingIsTold) {
 }
 
 #ifndef SHADEFIT_SANITIZE  // which takes address space of its own
+TEST(Process, LintNeedsASmallStack) {
+  const TemporaryDirectory directory;
+  const std::string deep(300, '(');
+  for (int i = 0; i < 100; ++i)
+    directory.file(std::to_string(i) + ".glsl", "float f(float c) { return exp2((-5.55473*c + " + deep + "6.98316" +
+                                                    std::string(deep.size(), ')') + ")*c); }\n");
+  const auto finished = run_process({"lint", directory.path().string()}, [] {
+    const rlimit limit{256U << 10, 256U << 10};
+    ::setrlimit(RLIMIT_STACK, &limit);
+  });
+  EXPECT_EQ(finished.exit_code, 1) << finished.err;
+  EXPECT_NE(finished.out.find("lint failed: 100 errors"), std::string::npos) << finished.out;
+}
+
 // A text is shortened before it is escaped, because escaping takes at least 32 bytes per byte.
 TEST(Process, ALongCellOfABaselineTakesLittleMemory) {
   const TemporaryDirectory directory;

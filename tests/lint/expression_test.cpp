@@ -139,6 +139,17 @@ TEST(ValuesAround, WhatIsComputedBeforeIsAVariableOrIsNot) {
   EXPECT_EQ(to_text(values[1]), "0.55 (1 - y)");
 }
 
+TEST(ValuesAround, AValueThatGrowsIsLeft) {
+  std::string text = "{ float b = 0.55 * x;";
+  for (int i = 0; i < 29; ++i) text += " b = b*b - x;";
+  const std::size_t at = text.find("0.55");
+  text += " return b; }";
+  EXPECT_FALSE(values_around(text, at, at + 4, CommentStyle::c, read_expression).empty());
+  text = "{ float b = x;" + text.substr(text.find(" b = b*b")) + " return 0.55 * b; }";
+  EXPECT_TRUE(values_around(text, text.find("0.55"), text.find("0.55") + 4, CommentStyle::c, read_expression)
+                  .size() <= 1);
+}
+
 std::set<std::string> mutants(const std::string& formula) {
   std::set<std::string> texts;
   for (const Mutant& mutant : mutants_of(read_formula(formula, {.variables = {"a", "b", "c", "x"}}).formula))
@@ -343,6 +354,143 @@ TEST(MatchExpression, AVariableMayHaveOneValue) {
     ASSERT_EQ(sites.size(), 1u);
     EXPECT_EQ(sites.front().grade, grade) << sign;
   }
+}
+
+/// A text of a language, and "ID GRADE" of its only site, or what stands for it.
+struct Judged {
+  SourceLanguage language;
+  std::string text, verdict;
+};
+
+void expect_verdicts(const std::vector<Judged>& all) {
+  for (const auto& [language, text, verdict] : all) EXPECT_EQ(verdict_in(text, language), verdict) << text;
+}
+
+TEST(MatchExpression, AnInnerPowerMayStandElsewhere) {
+  using enum SourceLanguage;
+  const std::string right = "pq-encode right", wrong = "pq-encode wrong";
+  expect_verdicts({
+      {hlsl, "float f(float p) { return pow((18.8515625*p + 0.8359375)/(18.6875*p + 1.0), 78.84375); }",
+       right},
+      {hlsl, "float f(float p) { return pow((0.8359375 + 18.8515625*p)/(1.0 + p*18.6875), 78.84375); }",
+       right},
+      {glsl,
+       "vec3 f(vec3 p) { return pow((vec3(0.8359375) + vec3(18.8515625)*p)/(vec3(1.0) + vec3(18.6875)*p), "
+       "vec3(78.84375)); }",
+       right},
+      {python,
+       "def f(y):\n    # y = L ** m1\n    return ((0.8359375 + 18.8515625*y)/(1 + 18.6875*y)) ** 78.84375\n",
+       right},
+      {hlsl,
+       "  r1.xyz = r0.xyz * float3(18.8515625,18.8515625,18.8515625) + float3(0.8359375,0.8359375,0.8359375);\n"
+       "  r0.xyz = r0.xyz * float3(18.6875,18.6875,18.6875) + float3(1,1,1);\n  r0.xyz = r1.xyz / r0.xyz;\n"
+       "  r0.xyz = log2(r0.xyz);\n  r0.xyz = float3(78.84375,78.84375,78.84375) * r0.xyz;\n"
+       "  r0.xyz = exp2(r0.xyz);\n",
+       right},
+      // A slip in what is left.
+      {hlsl, "float f(float p) { return pow((18.8515625*p + 0.8359375)/(18.6875*p - 1.0), 78.84375); }",
+       wrong},
+      {hlsl, "float f(float p) { return pow((18.8515625*p + 0.8395375)/(18.6875*p + 1.0), 78.84375); }",
+       wrong},
+      {hlsl, "float f(float p) { return pow((18.6875*p + 0.8359375)/(18.8515625*p + 1.0), 78.84375); }",
+       wrong},
+  });
+}
+
+TEST(MatchExpression, TwoExchangedConstantsAreASlip) {
+  using enum SourceLanguage;
+  expect_verdicts({
+      {glsl, "float f(float c) { return exp2((-6.98316 * c - 5.55473) * c); }", "fresnel-quadratic wrong"},
+      {glsl, "float f(float x) { return (-1.5707963 * x + 0.156583) * sqrt(1.0 - x); }", "acos-linear wrong"},
+      {glsl, "float f(float x) { return (1.5707963 * x - 0.156583) * sqrt(1.0 - x); }", "acos-linear wrong"},
+      {glsl, "float f(float c) { return c <= 0.04045 ? c / 1.055 : pow((c + 0.055) / 12.92, 2.4); }",
+       "srgb-decode-standard wrong"},
+      {python, "def f(x):\n  return 1.055*x if x <= 0.0031308 else 12.92*x**(1/2.4) - 0.055\n",
+       "srgb-encode-standard wrong"},
+      {hlsl, "float3 f(float3 x) { return (x*(2.51*x + 0.03))/(x*(2.43*x + 0.14) + 0.59); }",
+       "aces-narkowicz-five wrong"},
+      // The order of the channels may be another one.
+      {glsl, "float f(vec3 c) { return 0.7152*c.x + 0.2126*c.y + 0.0722*c.z; }", "luma-709 right"},
+  });
+}
+
+TEST(MatchExpression, OldCodeInACommentIsNotRead) {
+  const auto text = [](const std::string& comment) {
+    return "float3 f(float3 c) {\n  " + comment +
+           "\n  c = log2(c);\n  c = 0.4166667 * c;\n  c = exp2(c);\n  c = c * 1.55 - 0.055;\n  return c;\n}\n";
+  };
+  for (const char* comment : {"// gamma", "// c = c / d;", "/* c = c / d; */", "// if (c > 1) { c = d;",
+                              "float d = 2.0; // c = d; }", "/* c =\n d; */"})
+    EXPECT_EQ(verdict_in(text(comment), SourceLanguage::hlsl), "srgb-encode wrong") << comment;
+  EXPECT_EQ(verdict_in("def f(c):\n  # c = c / d\n  return exp2((-5.55473*c + 6.98316)*c)\n",
+                       SourceLanguage::python),
+            "fresnel-quadratic wrong");
+  EXPECT_EQ(verdict_in("float f(float c) { return exp2((-5.55473*c // ; a = (\n + 6.98316)*c); }",
+                       SourceLanguage::glsl),
+            "fresnel-quadratic wrong");
+}
+
+TEST(MatchExpression, AVariableThatIsOneMayBeFoldedAway) {
+  using enum SourceLanguage;
+  expect_verdicts({
+      {glsl, "float f() { float Y = 1.0; return 3.2404542*X - 1.5371385 - 0.4985314*Z; }",
+       "rec709-red right"},
+      {glsl, "float f() { return Z*-0.4985314 + (X*3.2404542 - 1.5371385); }", "rec709-red right"},
+      {glsl, "float f() { return Z*0.0415560 + (1.8760108 - X*0.9692660); }", "rec709-green right"},
+      {glsl, "float f() { return 0.2126729*r + 0.7151522 + 0.0721750*b; }", "luma-709 right"},
+      {glsl, "float f() { return 3.2404542*X + 1.5371385*Y - 0.4985314*Z; }", "rec709-red wrong"},
+  });
+}
+
+TEST(MatchExpression, AClampIsNoSlip) {
+  const std::string before =
+      "  r0.xyw = float3(0.416666657,0.416666657,0.416666657) * r0.xyw;\n  r0.xyw = exp2(r0.xyw);\n"
+      "  r0.xyw = r0.xyw * float3(1.05499995,1.05499995,1.05499995) + "
+      "float3(-0.0549999997,-0.0549999997,-0.0549999997);\n  r1.xyz = ";
+  for (const char* clamped :
+       {"min(float3(1,1,1), r0.xyw)", "min(1.0, r0.xyw)", "saturate(r0.xyw)", "max(0, min(1, r0.xyw))"}) {
+    EXPECT_EQ(verdict_in(before + clamped + ";\n", SourceLanguage::hlsl), "none") << clamped;
+    EXPECT_EQ(verdict_in("  r0.xyw = log2(r0.xyw);\n" + before + clamped + ";\n", SourceLanguage::hlsl),
+              "srgb-encode right")
+        << clamped;
+  }
+}
+
+TEST(MatchExpression, AnotherThresholdIsFoundWhereTheBranchesNearlyJoin) {
+  const auto grade = [](const std::string& t, const std::string& power) {
+    return verdict_in("const f = s => s <= " + t + " ? s * 0.0773993808 : Math.pow(" + power + ", 2.4);\n",
+                      SourceLanguage::javascript);
+  };
+  for (const char* power : {"s * 0.9478672986 + 0.0521327014", "(s + 0.055) * 0.947867299"}) {
+    EXPECT_EQ(grade("0.04045", power), "srgb-decode-standard right");
+    EXPECT_EQ(grade("0.040449936", power), "srgb-decode-standard right") << "where the branches join";
+    EXPECT_EQ(grade("0.031308", power), "srgb-decode-standard typo");  // 0.12 codes
+    EXPECT_EQ(grade("0.4045", power), "srgb-decode-standard wrong");
+  }
+  EXPECT_EQ(verdict_in("const f = x => x <= 0.031308 ? x * 12.92 : 1.055 * Math.pow(x, 1 / 2.4) - 0.055;\n",
+                       SourceLanguage::javascript),
+            "srgb-encode-standard wrong");
+}
+
+TEST(MatchExpression, AnInnerPowerMayBeACall) {
+  EXPECT_EQ(
+      verdict_in("float f(float v) {\n  if (v > 0.003130804954)\n    return 1.055 * pow_1_24(v) - 0.055;\n"
+                 "  return 12.92 * v;\n}\n",
+                 SourceLanguage::c_family),
+      "srgb-encode-standard right");
+}
+
+TEST(MatchExpression, ASignalIsMeasuredInCodesWithoutEncodingItAgain) {
+  const auto codes = [](const std::string& text) {
+    const auto sites = lint_formula(text);
+    return sites.size() == 1 ? sites.front().effect.srgb_codes : std::nan("");
+  };
+  EXPECT_NEAR(codes("float f(float x) { return x <= 0.031308 ? 12.92*x : 1.055*pow(x, 1.0/2.4) - 0.055; }"),
+              53.64, 0.01);
+  // 255 times the largest change, at 1: ((0.8395375 + 18.8515625)/19.6875)^78.84375 - 1.
+  EXPECT_NEAR(codes("float f(float y) { float p = pow(y, 0.1593017578125);\n"
+                    "return pow((0.8339375 + 18.8515625*p)/(1.0 + 18.6875*p), 78.84375); }"),
+              255 * (1 - std::pow(19.6855 / 19.6875, 78.84375)), 0.2);
 }
 
 }  // namespace

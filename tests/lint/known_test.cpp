@@ -145,6 +145,26 @@ TEST(LintKnown, AMultipleByItsDigitsAlone) {
   EXPECT_EQ(faults_in("vec3 w = vec3(76.24, 149.7, 29.07);"), Words{});
 }
 
+TEST(LintKnown, AMultipleWithOtherDigitsIsNoBetterReading) {
+  // In u, the halves of the digits are the form times 2: 6.75336 and 1.36882.
+  EXPECT_EQ(
+      faults_in("float f(float u) {\n  float u2 = u*u, u3 = u2*u, u4 = u3*u, u5 = u4*u;\n"
+                "  return 0.919317f - 3.4793f*u + 6.75335f*u2 - 7.80989f*u3 + 4.98554f*u4 - 1.36881f*u5;\n}"),
+      Words{"fresnel-average-inverse right"});
+}
+
+TEST(LintKnown, ANumberOfAFormMayBeThatOfAnotherSource) {
+  const auto colour = [](const std::string& b) {
+    return faults_in("x = -0.2661239e9/T3 - " + b +
+                     "e6/T2 + 0.8776956e3/T + 0.179910\n"
+                     "i = -1.1063814*x_3 - 1.34811020*x_2 + 2.18555832*x - 0.20219683\n"
+                     "j = -0.9549476*x_3 - 1.37418593*x_2 + 2.09137015*x - 0.16748867\n"
+                     "k = 3.0817580*x_3 - 5.8733867*x_2 + 3.75112997*x - 0.37001483\n");
+  };
+  for (const char* source : {"0.2343580", "0.2343589"})
+    for (const std::string& one : colour(source)) EXPECT_TRUE(one.ends_with(" right")) << one;
+}
+
 TEST(LintKnown, ASumOfMultiplesIsAMultiple) {
   EXPECT_EQ(faults_in("float f(vec3 v) { return 76.245 * v.r + 149.685 * v.g + 29.07 * v.b; }"),
             Words{"luma-601 right"});

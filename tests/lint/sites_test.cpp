@@ -70,6 +70,47 @@ TEST(Sites, AListMayBeRoundedToTheSameDecimals) {
   EXPECT_EQ(graded("float a = 0.212 + 0.715 + 0.072;"), Words{});           // no list
 }
 
+TEST(Sites, AListOfRightNumbersMayHaveASlip) {
+  const Words wrong709{"luma-709 wrong"}, wrong601{"luma-601 wrong"};
+  EXPECT_EQ(graded("const vec3 LUMA = vec3(0.2126, 0.7152, 0.0772);"), wrong709);
+  EXPECT_EQ(
+      graded("const vec3 LUMA = vec3(0.2126, 0.7152, 0.0772); float f(vec3 c) { return dot(c, LUMA); }"),
+      wrong709);
+  EXPECT_EQ(graded("#define LUMA vec3(0.2126, 0.7152, 0.0792)\n"), wrong709);
+  EXPECT_EQ(graded("float f(vec3 a) { vec3 d = vec3(0.299, 0.578, 0.114); return dot(a, d); }"), wrong601);
+  EXPECT_EQ(graded("w = [0.229, 0.587, 0.114]"), wrong601);
+  EXPECT_EQ(graded("vec4 w = vec4(0.299, 0.587, 0.144, 0.0);"), wrong601);
+  EXPECT_EQ(graded("R = 0.299;\nG = 0.587;\nB = 0.141;\n"), wrong601);
+  // Arbitrary numbers near the weights, other decimals, no list, another order.
+  for (const char* other :
+       {"0.299, 0.5, 0.114", "0.3, 0.59, 0.11", "0.299, 0.587, 0.9", "0.299, 0.587, 0.2126",
+        "0.2126, 0.7152, 0.7152", "0.2126, 0.7152, 0.5", "0.2126, 0.7152, 0.07", "0.299, 0.612, 0.114",
+        "0.114, 0.578, 0.299", "0.229, 0.587, 0.144", "0.299, 0.578, 0.114, 0.5"})
+    EXPECT_EQ(graded(std::string("vec3 w = vec3(") + other + ");"), Words{}) << other;
+}
+
+TEST(Sites, EachRowHasTheDecimalsOfItsStandard) {
+  const auto rows = [](const std::string& open, const std::string& close) {
+    Words all;
+    for (const char* row : {"3.2406, -1.5372, -0.4986", "-0.9689, 1.8758, 0.0415", "0.0557, -0.2040, 1.0570"})
+      for (const std::string& one : graded("f(" + open + row + close + ");")) all.push_back(one);
+    return all;
+  };
+  const Words right{"rec709-red right", "rec709-green right", "rec709-blue right"};
+  EXPECT_EQ(rows("[", "]"), right);
+  EXPECT_EQ(rows("vec3(", ")"), right);
+  EXPECT_EQ(rows("", ""), right);
+  EXPECT_EQ(graded("[[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]]"),
+            right);
+  // By columns; those of the blue row have too few digits.
+  EXPECT_EQ(graded("mat3(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570)"),
+            (Words{"rec709-red right", "rec709-green right"}));
+  // That of Adobe RGB, whose standard has five decimals.
+  EXPECT_EQ(
+      graded("[[2.04159, -0.56501, -0.34473], [-0.96924, 1.87597, 0.04156], [0.01344, -0.11836, 1.01517]]"),
+      Words{"rec709-green right"});
+}
+
 TEST(Sites, InATableOfNumbersAreOnlyCounted) {
   const auto list = [](int count) {
     std::string text = "const float t[] = {\n";
