@@ -39,7 +39,7 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
       options->words = words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--format",
-                                           "--shade", "--device", "--json", "--time-limit"});
+                                           "--json", "--time-limit"});
     if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
       call.outcome = run(*options, call.checkpoint, call.progress);
     } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
