@@ -9,7 +9,6 @@
 #include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
-#include "app/shards/merge_command.hpp"
 #include "app/terminal/interrupt.hpp"
 
 namespace shadefit {
@@ -39,7 +38,7 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
       options->words = words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--format",
-                                           "--shade", "--device", "--json", "--time-limit", "--plot"});
+                                           "--json", "--time-limit", "--plot"});
     if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
       call.outcome = run(*options, call.checkpoint, call.progress);
     } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
@@ -48,16 +47,6 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
       call.outcome = run(*options);
     }
   });
-}
-
-void declare_merge(CLI::App& merge, MergeOptions& options) {
-  merge
-      .add_option("parts", options.parts,
-                  "the --out of all shards of one work, or the files shard.json in them")
-      ->required()
-      ->type_name("DIR");
-  add_out(merge, options.out);
-  add_force(merge, options.force);
 }
 
 /// For everything that searches.
@@ -89,12 +78,8 @@ void declare_commands(CLI::App& app, Call& call) {
       declare_list, list_command);
   add("run", "fit and check everything; write report.md, the tables and the plots",
       "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n"
-      "  shadefit run --html --out gallery\n"
-      "  shadefit run --html --only acos-linear exp2-cubic --shard 1/2 --out shards/1\n"
-      "  shadefit run --html --only acos-linear exp2-cubic --shard 2/2 --out shards/2\n",
+      "  shadefit run --html --out gallery\n",
       declare_run, run_command);
-  add("merge", "unite the parts of work that was divided by --shard",
-      "  shadefit merge shards/1 shards/2 --out whole\n", declare_merge, merge_command);
   add("fit", "fit a form, at one exponent or a sweep of them, and print its constants and errors",
       "  shadefit fit fresnel-quadratic\n"
       "  shadefit fit sg-offset --exponent 5,10:50:10 --csv\n"

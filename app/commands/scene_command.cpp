@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/shade_scene.hpp"
 #include "app/options/scene_options.hpp"
 #include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
@@ -64,14 +62,10 @@ std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scen
 }
 
 /// Files of another plan that may exist, each with its first bytes.
-std::vector<File> not_written(const SceneOptions& options, const scene::Plan& plan) {
+std::vector<File> not_written(const scene::Plan& plan) {
   std::vector<File> files;
   if (plan.wanted.precision == scene::PixelPrecision::float16)
     files.push_back({"scene.hpp", fmt::format("// {}\n", generated_line)});
-  if (!options.shade) {
-    const std::vector<File> shaded = files_of_shading();
-    files.insert(files.end(), shaded.begin(), shaded.end());
-  }
   return files;
 }
 
@@ -82,7 +76,7 @@ std::string written(const std::string& directory, const std::vector<File>& files
 
 }  // namespace
 
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint) {
   scene::Wanted wanted = wanted_by(options);
   std::optional<OutputFolder> folder;
   if (options.out) folder.emplace(*options.out);
@@ -91,28 +85,19 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint,
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
   const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
-  int exit_code = plan.is_within() ? 0 : 1;
+  const int exit_code = plan.is_within() ? 0 : 1;
   if (options.language)
     return {exit_code, scene_code(scene, plan, *options.language, code_command(options, *options.language)),
             ""};
   if (options.json) return {exit_code, plan_json(scene, plan), ""};
   std::string out = plan_text(scene, plan, options.terminal);
-  ShadedScene shaded;
-  if (options.shade) {
-    shaded = shade_scene(scene, plan, options.device, options.out, options.terminal, checkpoint, progress);
-    out += "\n" + shaded.out;
-    exit_code = std::max(exit_code, shaded.err.empty() ? 0 : 1);
-  }
   std::function<void()> put;
   if (options.out) {
-    std::vector<File> files = files_of(options, scene, plan);
+    const std::vector<File> files = files_of(options, scene, plan);
     out += written(*options.out, files);
-    files.insert(files.end(), shaded.files.begin(), shaded.files.end());
-    std::vector<File> obsolete = not_written(options, plan);
-    obsolete.insert(obsolete.end(), shaded.missing.begin(), shaded.missing.end());
-    put = folder->prepare(files, obsolete, options.force, checkpoint);
+    put = folder->prepare(files, not_written(plan), options.force, checkpoint);
   }
-  return {exit_code, out, shaded.err, put};
+  return {exit_code, out, "", put};
 }
 
 }  // namespace shadefit

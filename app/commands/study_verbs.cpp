@@ -17,7 +17,7 @@
 #include "fit/support/parallel.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
-#include "reports/gallery/gallery_shard.hpp"
+#include "reports/gallery/gallery.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
@@ -161,34 +161,26 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
   std::vector<std::string> names = options.only;
   if (options.study) names.push_back(*options.study);
   std::vector<StudyFile> files;
-  GalleryShard shard{.version = SHADEFIT_VERSION, .shard = options.shard.value_or(Shard{})};
-  for (const auto& path : chosen_studies(names, study_folders(options.studies))) {
+  for (const auto& path : chosen_studies(names, study_folders(options.studies)))
     files.push_back(load_study(path));
-    shard.studies.push_back({files.back().id, study_digest(path, files.back())});
-  }
-  std::vector<std::size_t> chosen;
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    if (belongs(k, shard.shard)) chosen.push_back(k);
-  }
-  shard.judged.resize(chosen.size());
+  std::vector<JudgedStudy> judged(files.size());
   const auto judge = [&](std::size_t place, const Checkpoint& go_on) {
-    GalleryEntry entry{files[chosen[place]], {}};
+    GalleryEntry entry{files[place], {}};
     entry.comparisons = comparisons_of(entry.file, go_on);
     for (StudyComparison& comparison : entry.comparisons) {
       prove_contenders(comparison, go_on);
       round_contenders(comparison, go_on);
     }
-    shard.judged[place] = judged_study(entry);
+    judged[place] = judged_study(entry);
   };
   for_each_in_parallel(
-      chosen.size(), judge,
-      {.before_each = stepping(checkpoint, progress, "studies", chosen.size()), .checkpoint = checkpoint});
+      files.size(), judge,
+      {.before_each = stepping(checkpoint, progress, "studies", files.size()), .checkpoint = checkpoint});
   progress("");
-  const std::vector<File> written =
-      options.shard ? std::vector<File>{{shard_file, shard_text(shard)}} : gallery_files(shard.judged);
+  const std::vector<File> written = gallery_files(judged);
   const auto put = folder.prepare(written, {}, options.force, checkpoint);
   const auto first = without_detours(options.out) / written.front().name;
-  return {0, fmt::format("{}: {}\n", options.shard ? "Part" : "Pages", printable(first.string())), "", put};
+  return {0, fmt::format("Pages: {}\n", printable(first.string())), "", put};
 }
 
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options,

@@ -78,9 +78,11 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       ->excludes(exhaustive)
       ->excludes(study);
   bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
-  auto* json = bench.add_flag_callback(
-      "--json", [&options] { options.format = FindingFormat::json; },
-      "print the times as Google Benchmark does; with --exhaustive the result");
+  auto* json = bench
+                   .add_flag_callback(
+                       "--json", [&options] { options.format = FindingFormat::json; },
+                       "print the times as Google Benchmark does")
+                   ->excludes(exhaustive);
   add_finding_format(bench, options.format, false)->excludes(json)->excludes(exhaustive);
   add_comparison(bench, options, exhaustive);
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
@@ -103,19 +105,10 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
           bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
           "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
           ->needs(exhaustive);
-  auto* shard = add_shard(bench, options.shard)->needs(exhaustive);
   auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
                            "measure on a graphics device (default: the CPU)")
                      ->excludes(width)
                      ->excludes(degree);
-  bench
-      .add_flag(
-          "--all-devices", options.all_devices,
-          "with --exhaustive all: on every graphics device at once, each with its directory DIR/vulkan-N")
-      ->needs(exhaustive)
-      ->excludes(device)
-      ->excludes(width)
-      ->excludes(degree);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")
       ->needs(device)
@@ -125,9 +118,7 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                    .add_flag("--half", options.half,
                              "with --exhaustive and --device: every half in [0, 1], and arithmetic in half")
                    ->needs(exhaustive)
-                   ->needs(device)
-                   ->excludes(shard)
-                   ->excludes(json);
+                   ->needs(device);
   add_value(bench, "--range", options.range, parse_range, "A:B",
             fmt::format(
                 "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:{:#x})",

@@ -8,7 +8,7 @@
 #include "app/options/finding_format.hpp"
 #include "app/options/outcome.hpp"
 #include "app/terminal/progress.hpp"
-#include "bench/exhaustive/sweep.hpp"
+#include "bench/exhaustive/float_errors.hpp"
 #include "bench/forms/kernel.hpp"
 #include "reports/table/writers.hpp"
 
@@ -30,12 +30,10 @@ struct BenchOptions {
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
   std::optional<std::string> constants = {};   ///< of that form; the options below are for it too
   int exp2_degree = 0;                         ///< 0: the library's exp2
-  std::optional<Shard> shard = {};
   bench::Stretch range = bench::unit_floats;
   /// The place of a Vulkan device among `device::vulkan_devices`, instead of the CPU.
   std::optional<std::size_t> device = {};
-  bool all_devices = false;  ///< with `exhaustive` all: every Vulkan device
-  bool half = false;         ///< with `exhaustive` on a device: every half, in place of every float
+  bool half = false;  ///< with `exhaustive` on a device: every half, in place of every float
   bool list_devices = false;
   bool probe = false;  ///< measure the functions of the device
   Terminal terminal = {};

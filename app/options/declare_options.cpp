@@ -217,7 +217,6 @@ void declare_run(CLI::App& run, RunOptions& options) {
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
   auto* html =
       run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
-  add_shard(run, options.shard)->needs(html);
 }
 
 void declare_fit(CLI::App& fit, FitOptions& options) {

@@ -44,11 +44,6 @@ std::optional<double> cosine_of(const std::string& text) {
 
 }  // namespace
 
-CLI::Option* add_shard(CLI::App& command, std::optional<Shard>& shard) {
-  const auto parse = [](const std::string&, const std::string& text) { return parse_shard(text); };
-  return add_value(command, "--shard", shard, parse, "i/n", "only the i-th of n parts, for 'shadefit merge'");
-}
-
 std::string parse_text(const std::string&, const std::string& text) {
   return text;
 }

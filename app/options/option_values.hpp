@@ -75,9 +75,6 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, V& value, 
   return added;
 }
 
-/// --shard of a command whose work can be divided.
-CLI::Option* add_shard(CLI::App& command, std::optional<Shard>& shard);
-
 /// The text itself.
 std::string parse_text(const std::string& option, const std::string& text);
 

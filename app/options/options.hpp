@@ -13,7 +13,6 @@
 #include "fit/rounding/lattice.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/code/shader_code.hpp"
-#include "reports/io/shard.hpp"
 #include "reports/table/writers.hpp"
 
 /// The options of the commands, parsed (app/commands/declare_commands.cpp).
@@ -42,8 +41,7 @@ struct RunOptions {
   bool no_plots = false;
   bool force = false;  ///< replaces files that shadefit did not write
   Terminal terminal = {};
-  bool html = false;                ///< pages of the study, of those of `only`, or of all studies
-  std::optional<Shard> shard = {};  ///< only this part of those pages
+  bool html = false;  ///< pages of the study, of those of `only`, or of all studies
 };
 
 /// The form and its target. `fit`, `better`, `certify` and `emit` share these options.
@@ -94,12 +92,6 @@ struct EmitOptions {
   std::vector<std::string> check = {};         ///< generated files
   FindingFormat format = FindingFormat::text;  ///< of what `check` prints
   std::vector<std::string> words = {};         ///< of the command that prints this code, for its comment
-};
-
-struct MergeOptions {
-  std::vector<std::string> parts = {};  ///< files of shards, or directories that hold one
-  std::string out = "out";
-  bool force = false;  ///< as in `RunOptions`
 };
 
 struct VerifyOptions {

@@ -63,16 +63,6 @@ void declare_scene(CLI::App& scene, SceneOptions& options) {
   auto* language = add_choice(scene, "--lang", options.language, by_name(languages),
                               "print only the code, in this language")
                        ->excludes(json);
-  auto* shade =
-      scene
-          .add_flag(
-              "--shade", options.shade,
-              "also shade the materials by the exact formulas, by published constants and by this plan: times and errors")
-          ->excludes(json)
-          ->excludes(language);
-  add_value(scene, "--device", options.device, parse_device, "vulkan[:N]",
-            "with --shade: also on a graphics device, by the code of the plan")
-      ->needs(shade);
   add_value(
       scene, "--out", options.out, parse_text, "DIR",
       "the directory to write the plan to (scene.md, .csv, .json) and its code (scene.glsl, .hlsl, .hpp)")

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/table/writers.hpp"
 #include "scene/plan/plan.hpp"
@@ -29,9 +27,6 @@ struct SceneOptions {
   std::optional<std::string> out = {};    ///< a directory; empty: print only
   bool json = false;
   bool force = false;  ///< as in `RunOptions`
-  bool shade = false;  ///< compare the plan with the reference and the published constants
-  /// The place of a Vulkan device among `device::vulkan_devices`, for `shade` beside the CPU.
-  std::optional<std::size_t> device = {};
   std::vector<std::string> words = {};  ///< of the command that prints the code, without files and --lang
   Terminal terminal = {};
 };
@@ -39,8 +34,7 @@ struct SceneOptions {
 /// Declares its options.
 void declare_scene(CLI::App& scene, SceneOptions& options);
 
-/// Reads the scene and plans its shading; with --shade measures it. Exit 1 if the plan exceeds the tolerance,
-/// or if a measured error exceeds the plan.
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+/// Reads the scene and plans its shading. Exit 1 if the plan exceeds the tolerance.
+Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

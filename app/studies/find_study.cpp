@@ -15,7 +15,6 @@
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/study_claims.hpp"
 #include "fit/verdicts/study_verdict.hpp"
-#include "reports/io/digest.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {
@@ -207,12 +206,6 @@ std::vector<fs::path> chosen_studies(const std::vector<std::string>& names,
   const auto are_same = [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); };
   chosen.erase(std::unique(chosen.begin(), chosen.end(), are_same), chosen.end());
   return chosen;
-}
-
-std::string study_digest(const fs::path& path, const StudyFile& study) {
-  std::string bytes = read_bounded(path, most_study_bytes);
-  if (!study.table.empty()) bytes += read_bounded(table_of(path, study), most_row_bytes);
-  return fmt::format("{:08x}", crc_of(bytes));
 }
 
 }  // namespace shadefit

@@ -38,9 +38,6 @@ StudyFile named_study(const std::string& name, const std::vector<std::filesystem
 std::vector<std::filesystem::path> chosen_studies(const std::vector<std::string>& names,
                                                   const std::vector<std::filesystem::path>& folders);
 
-/// A digest of the file `path`, from which `study` was read, and of its table.
-std::string study_digest(const std::filesystem::path& path, const StudyFile& study);
-
 /// Reads a study from its file. Throws UserError like `read_study_file`, and for a table outside of the
 /// folder of the file.
 StudyFile load_study(const std::filesystem::path& path);

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 
 /// Compares a form at every float of a stretch with the reference rounded to float.
 namespace shadefit::bench {
@@ -66,10 +65,6 @@ struct FloatSubject {
   /// Called by one thread before `errors_on` looks at the floats of a stretch. Empty: nothing to prepare.
   std::function<void(const Stretch&)> prepare = {};
 };
-
-/// Forms of one target share its truth: it is computed once for each stretch, on all cores, when the
-/// first of them is prepared. The truth of a target with pow takes a third of the time of a sweep.
-void share_truth(std::span<FloatSubject* const> subjects);
 
 /// The errors on a stretch.
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch);

@@ -34,7 +34,7 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
       {"fit", "norm-phong"},
       "'norm-phong' is a normalisation constant, an integral; it is not fitted: see 'shadefit run --only norm-phong'");
   expect_refusal({"plot"},
-                 "unknown command 'plot': it must be one of list, run, merge, fit, better, certify, verify, "
+                 "unknown command 'plot': it must be one of list, run, fit, better, certify, verify, "
                  "emit, scene, explain, cite, bench, stress, check, lint, help");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown form, constant or study 'sg\\x0a-offset': did you mean 'sg-offset'?");
@@ -312,7 +312,7 @@ TEST(BadInput, Usage) {
   const auto see = [](const std::string& help) { return " (see 'shadefit help" + help + "')"; };
   expect_refusal(
       {},
-      "name a command: list, run, merge, fit, better, certify, verify, emit, scene, explain, cite, bench, stress, "
+      "name a command: list, run, fit, better, certify, verify, emit, scene, explain, cite, bench, stress, "
       "check, lint, help" +
           see(""));
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");

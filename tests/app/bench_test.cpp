@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <csignal>
 #include <filesystem>
@@ -169,8 +170,6 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(
       refusal({"--width", "neon"}),
       "shadefit: --width 'neon' is unknown: it must be one of scalar, sse2, avx2, avx512 (see 'shadefit help bench')\n");
-  EXPECT_EQ(refusal({"--shard", "1/2"}),
-            "shadefit: --shard requires --exhaustive (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--out", "--json"}),
             "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')"
             " (see 'shadefit help bench')\n");
@@ -215,12 +214,6 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
       "shadefit: --exp2-degree '3' is not compiled for schlick: it must be one of 0 (see 'shadefit help bench')\n");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--quick"}),
             "shadefit: --exhaustive excludes --quick (see 'shadefit help bench')\n");
-  for (const char* shard : {"3/2", "0/4", "a/b"}) {
-    EXPECT_EQ(
-        refused({"--exhaustive", "schlick", "--shard", shard}),
-        "shadefit: --shard '" + std::string(shard) +
-            "' is not a part of a whole: it must be i/n with 1 <= i <= n (see 'shadefit help bench')\n");
-  }
   for (const char* range : {"1:1", "0:0x3f800002", "a:b", "5", "2:1"}) {
     EXPECT_EQ(
         refused({"--exhaustive", "schlick", "--range", range}),
@@ -230,121 +223,41 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(snapshot(directory.path()).empty()) << "nothing was written";
 }
 
-TEST(ExhaustiveCommand, AFileOfAnotherSweepIsRefusedAndLeftAlone) {
-  const TemporaryDirectory directory;
-  const auto run = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"--exhaustive", "sg", "--out", directory / "out"});
-    return bench(more);
-  };
-  ASSERT_EQ(run({"--range", few}).exit_code, 0);
-  ASSERT_EQ(run({"--range", few, "--shard", "1/2"}).exit_code, 0);
-  const auto before = snapshot(directory.path());
-  const std::string out = directory / "out/", end = "; name another directory by --out\n";
-  EXPECT_EQ(run({"--range", "0x3effff00:0x3f000000"}).err,
-            "shadefit: state file '" + out +
-                "exhaustive-sg-published-sg-offset-mean.json' is of another range: " +
-                "0x3efff000:0x3f000000, not 0x3effff00:0x3f000000" + end);
-  EXPECT_EQ(run({"--range", few, "--shard", "2/2"}).err,
-            "shadefit: state file '" + out + "shard.json' is of another shard: 1/2, not 2/2" + end);
-  EXPECT_EQ(snapshot(directory.path()), before);
-}
-
-// The forms of a target share their truth there; the results are those of each alone.
 TEST(ExhaustiveCommand, AllIsEachFormWithEachSet) {
   const TemporaryDirectory directory;
-  const auto state_in = [&](const char* folder, std::vector<std::string> form) {
-    form.insert(form.begin(), {"--range", few, "--out", directory / folder, "--exhaustive"});
-    EXPECT_EQ(bench(form).exit_code, 0);
-    return snapshot(directory / folder);
-  };
-  const auto all = state_in("all", {"all"});
-  state_in("each", {"schlick"});
-  state_in("each", {"fresnel-quadratic", "--constants", "minimax-absolute"});
-  for (const auto& [name, bytes] : state_in("each", {"hg-pow"})) EXPECT_EQ(all.at(name), bytes) << name;
-  EXPECT_GT(all.size(), 60U);
-  const std::string errors = all.at("errors.csv");
-  EXPECT_EQ(static_cast<std::size_t>(std::count(errors.begin(), errors.end(), '\n')), all.size());
+  ASSERT_EQ(bench({"--exhaustive", "all", "--range", few, "--out", directory / "all"}).exit_code, 0);
+  const CsvTable rows = parse_csv(read_file(directory / "all/errors.csv"), "errors.csv");
+  EXPECT_GT(rows.rows.size(), 60U);
+  const std::vector<std::vector<std::string>> each{
+      {"schlick"}, {"fresnel-quadratic", "--constants", "minimax-absolute"}, {"hg-pow"}};
+  for (std::vector<std::string> form : each) {
+    form.insert(form.begin(), {"--range", few, "--exhaustive"});
+    const Outcome alone = bench(form);
+    EXPECT_EQ(alone.exit_code, 0) << alone.err;
+    const auto row = std::ranges::find_if(rows.rows, [&](const auto& of_all) {
+      return of_all[0] == form[3] && (form.size() < 6 || of_all[1] == form[5]);
+    });
+    ASSERT_NE(row, rows.rows.end());
+    EXPECT_NE(alone.out.find("max abs error  " + (*row)[3] + " at c = " + (*row)[4]), std::string::npos)
+        << alone.out;
+  }
   EXPECT_EQ(bench({"--exhaustive", "all", "--constants", "mine", "--out", directory / "all"}).err,
             "shadefit: --exhaustive 'all' does not apply with --constants: it takes every set of every form"
             " (see 'shadefit help bench')\n");
 }
 
-TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {
+TEST(ExhaustiveCommand, ASignalEndsTheProcessAndNothingIsWritten) {
   const TemporaryDirectory directory;
-  const std::vector<std::string> command{"--exhaustive",           "schlick", "--range", few, "--out",
-                                         directory.path().string()};
-  ASSERT_EQ(bench(command).exit_code, 0);
-  const std::string whole = read_file(directory / "exhaustive-schlick.json");
-  std::string changed = whole;
-  changed.replace(changed.find("\"nans\": 0"), 9, "\"nans\": 1");
-  for (const std::string& bad :
-       {whole.substr(0, whole.size() / 2), changed, std::string(), std::string("{}")}) {
-    directory.file("exhaustive-schlick.json", bad);
-    const Outcome outcome = bench(command);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_TRUE(
-        outcome.err.starts_with("shadefit: state file '" + (directory / "exhaustive-schlick.json") + "'"))
-        << outcome.err;
-    EXPECT_EQ(read_file(directory / "exhaustive-schlick.json"), bad);
+  const std::vector<std::vector<std::string>> commands{
+      {"bench", "--exhaustive", "all", "--out", directory / "out"},
+      {"bench", "--quick", "--out", directory / "out"}};
+  for (const auto& command : commands) {
+    const auto finished = run_process(command, [] { testing::leave_pending(SIGINT, SIG_DFL); });
+    EXPECT_EQ(finished.exit_code, 130);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(finished.err, "shadefit: interrupted, nothing was written\n");
+    EXPECT_FALSE(std::filesystem::exists(directory / "out"));
   }
-}
-
-TEST(ExhaustiveCommand, InterruptedItLeavesAStateThatTheSameCommandGoesOnFrom) {
-  const TemporaryDirectory directory;
-  // Several batches of floats; a form of multiplications takes a moment for them.
-  const std::vector<std::string> command{"--exhaustive", "schlick", "--range", "0x3c000000:0x3e000000",
-                                         "--out"};
-  const auto with_out = [&](const std::string& out) {
-    auto arguments = command;
-    arguments.push_back(directory / out);
-    return arguments;
-  };
-  ASSERT_EQ(bench(with_out("whole")).exit_code, 0);
-  int calls = 0;
-  const Outcome stopped = bench(with_out("resumed"), [&] {
-    if (++calls == 4) throw Interrupted{SIGINT};
-  });
-  EXPECT_EQ(stopped.exit_code, 130);
-  EXPECT_TRUE(stopped.err.starts_with("shadefit: interrupted at ")) << stopped.err;
-  EXPECT_TRUE(stopped.err.ends_with(" %: the same command goes on from '" +
-                                    (directory / "resumed/exhaustive-schlick.json") + "'\n"))
-      << stopped.err;
-  EXPECT_NE(snapshot(directory / "resumed"), snapshot(directory / "whole"));
-  EXPECT_EQ(bench(with_out("resumed")).exit_code, 0);
-  EXPECT_EQ(snapshot(directory / "resumed"), snapshot(directory / "whole"));
-}
-
-TEST(ExhaustiveCommand, ASignalEndsTheProcessWithAState) {
-  const TemporaryDirectory directory;
-  auto finished = run_process({"bench", "--exhaustive", "schlick", "--out", directory.path().string()},
-                              [] { testing::leave_pending(SIGTERM, SIG_DFL); });
-  EXPECT_EQ(finished.exit_code, 143);
-  EXPECT_EQ(finished.out, "");
-  EXPECT_EQ(finished.err, "shadefit: interrupted at 0.0 %: the same command goes on from '" +
-                              (directory / "exhaustive-schlick.json") + "'\n");
-  EXPECT_TRUE(std::filesystem::exists(directory / "exhaustive-schlick.json"));
-  finished = run_process({"bench", "--quick", "--out", directory / "out"},
-                         [] { testing::leave_pending(SIGINT, SIG_DFL); });
-  EXPECT_EQ(finished.exit_code, 130);
-  EXPECT_EQ(finished.err, "shadefit: interrupted, nothing was written\n");
-  EXPECT_FALSE(std::filesystem::exists(directory / "out"));
-}
-
-TEST(ExhaustiveCommand, AFullDiskLeavesTheOldState) {
-  const TemporaryDirectory directory;
-  const std::vector<std::string> whole{
-      "bench", "--exhaustive",           "schlick", "--range", few, "--shard", "1/2",
-      "--out", directory.path().string()};
-  const auto refused = run_process(whole, [] { testing::limit_file_size(100); });
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_EQ(refused.err, "shadefit: cannot write '" + (directory / "shard.json") + "': File too large\n");
-  EXPECT_TRUE(snapshot(directory.path()).empty());
-  // A file with a started sweep is unchanged.
-  run_process(whole, [] { testing::leave_pending(SIGINT, SIG_DFL); });
-  const auto before = snapshot(directory.path());
-  ASSERT_EQ(before.size(), 1U);
-  EXPECT_EQ(run_process(whole, [] { testing::limit_file_size(100); }).exit_code, 2);
-  EXPECT_EQ(snapshot(directory.path()), before);
 }
 
 TEST(Progress, ALineHasABarAPercentageAndWhatIsLeft) {

@@ -40,31 +40,12 @@ std::string foreign_refusal(const std::string& file) {
 TEST(OthersFiles, ASceneLeavesThemWhereTheyAre) {
   const TemporaryDirectory directory;
   const std::string scene = directory.file("a.mtl", material);
-  for (const char* name : {"scene.png", "plots/shade.csv", "plots/shade.gnuplot", "plots/shade.svg"})
-    directory.file(name, "of the user\n");
-  directory.file("shade.csv", "product,price\nlamp,3\n");
+  directory.file("scene.png", "of the user\n");
   const auto before = snapshot(directory.path());
   EXPECT_EQ(run_command_line({"scene", scene, "--out", directory.path().string()}).exit_code, 0);
   auto after = snapshot(directory.path());
   for (const auto& [name, content] : before) EXPECT_EQ(after[name], content) << name;
   EXPECT_EQ(after.size(), before.size() + 6) << "the plan stands beside them";
-
-  fake_gnuplot(directory, "echo '</svg> IEND' > \"$picture\"");
-  const EnvironmentVariable path("PATH", directory / "bin");
-  const std::vector<std::string> shade{"scene", scene, "--shade", "--out", directory.path().string()};
-  const auto planned = snapshot(directory.path());
-  expect_refusal(shade, foreign_refusal(directory / "shade.csv"));
-  EXPECT_EQ(snapshot(directory.path()), planned) << "and nothing is written beside the first that is refused";
-  auto forced = shade;
-  forced.emplace_back("--force");
-  EXPECT_EQ(run_command_line(forced).exit_code, 0);
-  EXPECT_TRUE(read_file(directory / "shade.csv").starts_with("way,tolerance,form,"));
-  EXPECT_EQ(run_command_line(shade).exit_code, 0) << "what it wrote itself it replaces";
-  EXPECT_EQ(run_command_line({"scene", scene, "--out", directory.path().string()}).exit_code, 0);
-  after = snapshot(directory.path());
-  for (const char* name :
-       {"scene.png", "shade.csv", "plots/shade.csv", "plots/shade.gnuplot", "plots/shade.svg"})
-    EXPECT_EQ(after.count(name), 0U) << name << " is of another plan, and ours";
 }
 
 TEST(OthersFiles, AScriptThatWasChangedIsNotReplaced) {

@@ -23,9 +23,8 @@ namespace {
 
 using testing::TemporaryDirectory;
 
-const std::vector<std::string> commands{"list",    "run",    "merge",  "fit",   "better",
-                                        "certify", "verify", "emit",   "scene", "explain",
-                                        "cite",    "bench",  "stress", "check", "help"};
+const std::vector<std::string> commands{"list",  "run",     "fit",  "better", "certify", "verify", "emit",
+                                        "scene", "explain", "cite", "bench",  "stress",  "check",  "help"};
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);

@@ -16,8 +16,7 @@ TEST(NoDevice, IsOneLineAndNothingIsWritten) {
   const std::vector<std::vector<std::string>> commands{
       {"bench", "--list-devices"},
       {"bench", "--device", "vulkan", "--probe"},
-      {"bench", "--exhaustive", "schlick", "--device", "vulkan", "--out", directory.path().string()},
-      {"bench", "--exhaustive", "all", "--all-devices", "--out", directory.path().string()}};
+      {"bench", "--exhaustive", "schlick", "--device", "vulkan", "--out", directory.path().string()}};
   for (const auto& command : commands) {
     const Finished finished =
         run_process(command, [] { ::setenv("VK_ICD_FILENAMES", "/there/is/no/driver.json", 1); });
@@ -36,14 +35,6 @@ TEST(NoDevice, WhatDoesNotApplyToADeviceIsRefused) {
     EXPECT_EQ(finished.exit_code, 2);
     EXPECT_NE(finished.err.find(option), std::string::npos) << finished.err;
   }
-}
-
-TEST(NoDevice, AllDevicesSweepAllForms) {
-  const Finished finished = run_process({"bench", "--exhaustive", "schlick", "--all-devices"}, [] {});
-  EXPECT_EQ(finished.exit_code, 2);
-  EXPECT_EQ(
-      finished.err,
-      "shadefit: --all-devices does not apply with --exhaustive 'schlick': it must be all (see 'shadefit help bench')\n");
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "app/shards/sweeps.hpp"
+#include "app/exhaustive/exhaustive.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/shards/swept_form.hpp"
+#include "app/exhaustive/swept_form.hpp"
 #include "bench/device/form_functions.hpp"
 #include "bench/device/half_errors.hpp"
 #include "bench/timing/timing.hpp"

@@ -3,25 +3,12 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "app/options/bench_options.hpp"
-#include "bench/exhaustive/sweep.hpp"
-#include "bench/forms/catalogue.hpp"
-#include "reports/io/files.hpp"
 #include "reports/table/table.hpp"
 
 /// The parts of `bench --exhaustive`.
 namespace shadefit {
-
-/// `bench --exhaustive all`: every form of one cosine with every set of its constants, on the CPU, on a
-/// device, or on all devices. The forms of one target go together, on all devices, because they share its
-/// truth. Writes a table for each device; with --shard only the parts of the sweeps.
-Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& catalogue,
-                         const Checkpoint& checkpoint, const Progress& progress);
-
-/// The table of whole sweeps on one device or on the CPU: errors.csv, in the order of the catalogue.
-File errors_file(const forms::Catalogue& catalogue, const std::vector<bench::Sweep>& sweeps);
 
 /// `bench --exhaustive FORM|all --device vulkan --half`: every half in [0, 1] through a form, or through all
 /// of one cosine, on a graphics device. Writes a row for each to errors-half.csv. The outcome is 1 if a

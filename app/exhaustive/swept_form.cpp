@@ -1,4 +1,4 @@
-#include "app/shards/swept_form.hpp"
+#include "app/exhaustive/swept_form.hpp"
 
 #include <fmt/format.h>
 
