@@ -197,6 +197,7 @@ TEST(Certificate, HexadecimalTexts) {
   for (const double x : {0.0, 1.0, -5.55473, 0x1p-1074, 1.7976931348623157e308, 0.1})
     EXPECT_EQ(parse_hex(hex_text(x)), x);
   EXPECT_EQ(hex_text(-0.75), "-0x1.8p-1");
+  EXPECT_EQ(hex_text(-5e-324), "-0x0.0000000000001p-1022") << "whatever the library makes of a subnormal";
   for (const char* text :
        {"", "0x", "1.8p-1", "0x1.8p-1x", "0xinf", "0xnan", "--0x1p+0", "-0x-1p+0", "0x1p+9999"})
     EXPECT_FALSE(parse_hex(text)) << text;
