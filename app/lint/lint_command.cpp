@@ -83,7 +83,8 @@ std::set<std::string> known_fingerprints(const std::string& file) {
 
 std::string warnings_of(const lint::SkippedFiles& skipped) {
   std::string lines;
-  for (const std::string& message : skipped.messages) lines += fmt::format("shadefit: {}\n", one_line(message));
+  for (const std::string& message : skipped.messages)
+    lines += fmt::format("shadefit: {}\n", one_line(message));
   return lines;
 }
 

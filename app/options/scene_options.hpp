@@ -26,7 +26,7 @@ struct SceneOptions {
   std::optional<Language> language = {};  ///< prints only the code in it
   std::optional<std::string> out = {};    ///< a directory; empty: print only
   bool json = false;
-  bool force = false;  ///< as in `RunOptions`
+  bool force = false;                   ///< as in `RunOptions`
   std::vector<std::string> words = {};  ///< of the command that prints the code, without files and --lang
   Terminal terminal = {};
 };

@@ -190,7 +190,8 @@ FormulaNames names_of(const Study& study, const std::vector<std::string>& variab
     require_name(part, name);
     require_free_of_rows(part, name, study);
     if (contains(variables, name)) throw StudyFault(part, quoted(name) + " is a variable already");
-    names.definitions.emplace(name, Definition{{}, read(part, value, names_of_numbers(), quoted(name)).formula});
+    names.definitions.emplace(name,
+                              Definition{{}, read(part, value, names_of_numbers(), quoted(name)).formula});
   }
   if (study.definitions.size() > most_definitions)
     throw StudyFault({"--let"}, " has " + std::to_string(study.definitions.size()) +

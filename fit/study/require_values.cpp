@@ -19,7 +19,8 @@ namespace {
 /// The place of a node as text: "x = 0.5", or "line 3 of 'rows.csv'".
 std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_t node) {
   if (study.rows)
-    return "line " + std::to_string(line_of_row(*study.rows, node + 1)) + " of '" + study.rows->file.unescaped() + "'";
+    return "line " + std::to_string(line_of_row(*study.rows, node + 1)) + " of '" +
+           study.rows->file.unescaped() + "'";
   std::string place;
   for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
     place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " +

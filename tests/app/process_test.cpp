@@ -83,8 +83,8 @@ TEST(Process, LintNeedsASmallStack) {
   const TemporaryDirectory directory;
   const std::string deep(300, '(');
   for (int i = 0; i < 100; ++i)
-    directory.file(std::to_string(i) + ".glsl", "float f(float c) { return exp2((-5.55473*c + " + deep + "6.98316" +
-                                                    std::string(deep.size(), ')') + ")*c); }\n");
+    directory.file(std::to_string(i) + ".glsl", "float f(float c) { return exp2((-5.55473*c + " + deep +
+                                                    "6.98316" + std::string(deep.size(), ')') + ")*c); }\n");
   const auto finished = run_process({"lint", directory.path().string()}, [] {
     const rlimit limit{256U << 10, 256U << 10};
     ::setrlimit(RLIMIT_STACK, &limit);

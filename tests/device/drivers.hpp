@@ -14,7 +14,7 @@ namespace shadefit::testing {
 
 struct Driver {
   const char* name;
-  const char* file;     ///< by which the Vulkan loader finds it
+  const char* file;  ///< by which the Vulkan loader finds it
   const char* package;
 };
 

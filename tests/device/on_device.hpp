@@ -43,7 +43,8 @@ class Device : public ::testing::Test {
  protected:
   void SetUp() override {
     try {
-      if (vulkan_devices().empty()) GTEST_SKIP() << "no device can compute: packages mesa-vulkan-drivers, chromium";
+      if (vulkan_devices().empty())
+        GTEST_SKIP() << "no device can compute: packages mesa-vulkan-drivers, chromium";
       vulkan_.emplace(watched);
     } catch (const UserError& error) {
       GTEST_SKIP() << error.what();

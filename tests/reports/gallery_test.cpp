@@ -276,8 +276,8 @@ TEST(Gallery, ExactEdgesAreKept) {
 TEST(Gallery, SaysWhyALargestErrorIsNotProven) {
   GalleryEntry entry = parabola();
   entry.file.study.over = {{"x", "", ""}};
-  entry.file.study.rows = std::make_shared<const MeasuredRows>(
-      MeasuredRows{.file = OthersText("rows.csv"), .places = {{0, 0.5, 1}}, .value = {0, 0.25, 1}, .sigma = {}});
+  entry.file.study.rows = std::make_shared<const MeasuredRows>(MeasuredRows{
+      .file = OthersText("rows.csv"), .places = {{0, 0.5, 1}}, .value = {0, 0.25, 1}, .sigma = {}});
   entry.comparisons = {compare_study(entry.file, entry.file.study)};
   prove_contenders(entry.comparisons.front());
   EXPECT_NE(judged_study(entry).page.find("Largest error, sampled: the error is known at the rows alone"),

@@ -73,11 +73,12 @@ TEST(StudyProperties, ABetterSetIsExactWhereThePublishedOneIsToItsDigits) {
   file.id = "arc";
   file.study = {.target = "atan(x)", .form = "", .over = {{"x", "0", "1"}}};
   file.forms = {{"free", "x (s + (a + b x x) x x)"}};
-  file.published = {
-      {.form = "free",
-       .values = {{"s", "1.0000"}, {"a", "-0.301895"}, {"b", "0.0872929"}},
-       .source = OthersText("Doe 2020")},
-      {.form = "free", .values = {{"s", "1.0"}, {"a", "-0.30"}, {"b", "0.08"}}, .source = OthersText("Roe 2021")}};
+  file.published = {{.form = "free",
+                     .values = {{"s", "1.0000"}, {"a", "-0.301895"}, {"b", "0.0872929"}},
+                     .source = OthersText("Doe 2020")},
+                    {.form = "free",
+                     .values = {{"s", "1.0"}, {"a", "-0.30"}, {"b", "0.08"}},
+                     .source = OthersText("Roe 2021")}};
   StudyComparison comparison = compare_study(file, file.study);
   const StudyContender& published = *first_published(comparison);
   EXPECT_EQ(
@@ -105,8 +106,9 @@ TEST(StudyProperties, ABetterSetMayHaveAllOfTheTarget) {
   file.id = "quarter-wave";
   file.study = {.target = "sin(pi x/2)", .form = "", .over = {{"x", "0", "1"}}};
   file.forms = {{"free", "a + x (b + d x)"}, {"ends", "x (a + (1 - a) x)"}};
-  file.published = {
-      {.form = "free", .values = {{"a", "-0.05"}, {"b", "1.7"}, {"d", "-0.7"}}, .source = OthersText("Doe 2020")}};
+  file.published = {{.form = "free",
+                     .values = {{"a", "-0.05"}, {"b", "1.7"}, {"d", "-0.7"}},
+                     .source = OthersText("Doe 2020")}};
   const StudyComparison comparison = compare_study(file, file.study);
   const StudyContender& published = *first_published(comparison);
   EXPECT_EQ(to_text(comparison.properties), "exact at x = 0, exact at x = 1, rises, not negative, at most 1");

@@ -57,8 +57,10 @@ TEST(StudyClaims, JudgesMeansAndRanges) {
 
 TEST(StudyClaims, OfATableTakesTheRowsInTheRange) {
   Study table{.target = "", .form = "a x", .over = {{"x", "", ""}}};
-  table.rows = std::make_shared<const MeasuredRows>(MeasuredRows{
-      .file = OthersText("rows.csv"), .places = {{0.1, 0.5, 0.7, 1}}, .value = {9, 0.4, 0.9, 5}, .sigma = {}});
+  table.rows = std::make_shared<const MeasuredRows>(MeasuredRows{.file = OthersText("rows.csv"),
+                                                                 .places = {{0.1, 0.5, 0.7, 1}},
+                                                                 .value = {9, 0.4, 0.9, 5},
+                                                                 .sigma = {}});
   const ErrorClaim claim{StatedError::mean_abs_error, "0.15", "", {{"x", "0.5", "0.7"}}};
   const JudgedError judged = judge_error(claim, table, {1});
   EXPECT_NEAR(judged.computed, 0.15, 1e-15);

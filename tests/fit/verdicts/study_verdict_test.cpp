@@ -226,7 +226,8 @@ TEST(StudyVerdict, FewDigitsDecideNothingUnderTheAskedObjective) {
 // Each objective gives the constants of a target that has the form: no chance.
 TEST(StudyVerdict, TheConstantsOfTheTargetAreConfirmed) {
   const Study line{.target = "0.5 x + 2", .form = "a x + b", .over = {{"x", "0", "1"}}};
-  const PublishedSet set{.form = "form", .values = {{"a", "0.5"}, {"b", "2"}}, .source = OthersText("a test")};
+  const PublishedSet set{
+      .form = "form", .values = {{"a", "0.5"}, {"b", "2"}}, .source = OthersText("a test")};
   const StudyJudgement judgement = judge_set(objective_of(line, Norm::least_squares, {}), set);
   EXPECT_EQ(name(judgement.verdict), "confirmed");
   EXPECT_EQ(judgement.chance, 0);
