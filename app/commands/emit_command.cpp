@@ -104,8 +104,7 @@ std::string constants_text(const Constants& constants) {
 /// fitted.
 std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric,
                       const std::optional<NumberFormat>& round) {
-  if (chosen.from == "fitted")
-    return "fitted: " + headline(metric) + (round ? ", rounded to " + to_text(*round) : "");
+  if (chosen.from == "fitted") return "fitted: " + (round ? words_of_rounding(*round) : headline(metric));
   if (chosen.from == "given") return "given";
   for (const Published& p : published_constants) {
     const bool is_it = named.published != nullptr ? &p == named.published

@@ -225,6 +225,10 @@ std::string option_of_fits(const std::set<std::string>& present) {
   return found == all.end() ? "" : *found;
 }
 
+std::string words_of_rounding(const NumberFormat& format) {
+  return "the smallest largest error of constants in " + to_text(format);
+}
+
 ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
                                const Setting& setting, const Metric& metric, const FitOptions& options,
                                const Checkpoint& checkpoint) {

@@ -54,6 +54,9 @@ struct ChosenSubject {
 /// The first of these options that counts for a fit alone, as a text; empty without any.
 std::string option_of_fits(const std::set<std::string>& present);
 
+/// "the smallest largest error of constants in half": what --round looks for.
+std::string words_of_rounding(const NumberFormat& format);
+
 /// The given `parameters`; without them the parameters published for that setting, unless an option of a fit
 /// is present; if one of these is missing, those of a fit, rounded if that is asked. Throws UserError if the
 /// fit did not converge.

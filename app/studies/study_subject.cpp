@@ -87,9 +87,8 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
       return chosen(set.values, "published", "published: " + set.source);
   }
   const StudyObjective objective = objective_of(whole, file.norm, file.constraints);
-  return chosen(
-      fitted_constants(objective, options.round, checkpoint), "fitted",
-      "fitted: " + objective.words + (options.round ? ", rounded to " + to_text(*options.round) : ""));
+  return chosen(fitted_constants(objective, options.round, checkpoint), "fitted",
+                "fitted: " + (options.round ? words_of_rounding(*options.round) : objective.words));
 }
 
 }  // namespace shadefit

@@ -276,7 +276,7 @@ Table parameters_table(const FittedStudy& study) {
   constexpr std::size_t most_columns = 6;  // with more, a page is too narrow
   const std::vector<std::string>& names = study.fit.names;
   const bool has_errors = study.fit.statistics.has_value();
-  Table table{{"parameter", "value"}};
+  Table table{{"parameter", "fitted"}};
   if (has_errors) table.columns.insert(table.columns.end(), {"standard error", "profile from", "profile to"});
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto& row = table.rows.emplace_back(

@@ -155,7 +155,7 @@ TEST(Emit, TheBetterSetOfAStudy) {
   EXPECT_TRUE(holds(
       code, "(fitted: minimax, exact at x = 0, exact at x = 1, form falls; better than Eberly, as cited"))
       << code;
-  EXPECT_TRUE(holds(code, "// Proven: absolute error at most 0.004263 for x in [0, 1]")) << code;
+  EXPECT_TRUE(holds(code, "// Proven: absolute error at most 0.004262 for x in [0, 1]")) << code;
   const std::string quadratic =
       emitted({"f0-under-coat", "--form", "quadratic", "--better", "--lang", "hlsl"});
   EXPECT_TRUE(holds(quadratic, "// f (b f + d) + a for ")) << quadratic;
@@ -183,19 +183,20 @@ TEST(Emit, TakesTheConstraintsOfAFit) {
   const std::pair<std::vector<std::string>, const char*> cases[]{
       {{"--exact-at", "0"}, "(fitted: minimax, exact at x = 0)"},
       {{"--one-sided", "above"}, "(fitted: minimax, form >= target)"},
-      {{"--at-most", "1.5"}, "(fitted: minimax, form <= 1.5)"},
+      {{"--at-most", "1.6"}, "(fitted: minimax, form <= 1.6)"},
       {{"--at-least", "0"}, "(fitted: minimax, form >= 0)"},
       {{"--monotone", "falls"}, "(fitted: minimax, form falls)"},
       {{"--fix", "b=-0.16"}, "b = -0.16 (fitted: minimax"},
-      {{"--round", "decimal:4"}, "a = 1.567, b = -0.1682 (fitted: minimax, rounded to decimal:4)"},
+      {{"--round", "decimal:4"},
+       "a = 1.568, b = -0.1691 (fitted: the smallest largest error of constants in decimal:4)"},
   };
   for (const auto& [options, words] : cases) EXPECT_TRUE(holds(with(options), words)) << with(options);
   // Published constants are not the answer to a question about a fit.
-  const std::string pair =
-      emitted({"fresnel-quadratic", "--norm", "minimax", "--exact-at", "1", "--lang", "c"});
-  EXPECT_TRUE(holds(pair, "(fitted: minimax absolute error, exact at c = 1")) << pair;
+  const std::string pair = emitted({"fresnel-quadratic", "--norm", "minimax", "--lang", "c"});
+  EXPECT_TRUE(holds(pair, "(fitted: minimax absolute error")) << pair;
   const std::string rounded = emitted({"fresnel-one-term", "--round", "half", "--lang", "c"});
-  EXPECT_TRUE(holds(rounded, "A = 8.34375 (fitted: ") && holds(rounded, ", rounded to half)")) << rounded;
+  EXPECT_TRUE(holds(rounded, "A = 8.24 (fitted: the smallest largest error of constants in half)"))
+      << rounded;
   expect_refusal({"emit", "fresnel-quadratic", "--parameters", "a=1,b=2", "--fix", "a=1", "--lang", "c"},
                  "--fix does not go with --parameters: nothing is fitted");
 }

@@ -5,6 +5,7 @@
 #include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/gnuplot.hpp"
+#include "tests/app/refusal.hpp"
 #include "tests/fake_gnuplot.hpp"
 
 namespace shadefit {
@@ -135,7 +136,7 @@ TEST(PlotOption, LongTitlesAndLabelsHaveSeveralLines) {
   for (std::size_t at = 0; at < title.size(); at += 120)
     EXPECT_NE(title.substr(at, 120).find('\''), std::string::npos) << "a line is too long: " << title;
   std::string linear = "a0";
-  for (int i = 1; i < 6; ++i) linear += " + a" + std::to_string(i) + "*x^" + std::to_string(i);
+  for (int i = 1; i < 9; ++i) linear += " + a" + std::to_string(i) + "*x^" + std::to_string(i);
   const std::string many = script_of({"fit", "--target", "exp(x)", "--form", linear, "--over", "x=0:1"});
   EXPECT_NE(many.find("vertical maxcols 1"), std::string::npos) << many;
   EXPECT_NE(many.find("keyentry with lines lc rgb '#FFFFFF' title 'a"), std::string::npos) << many;

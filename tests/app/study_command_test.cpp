@@ -193,9 +193,9 @@ TEST(StudyCommand, FitsMeasuredRows) {
             "a,b,status,digits,rms error,largest residual,row,s,standard error of a,profile of a from,"
             "profile of a to,standard error of b,profile of b from,profile of b to\n1.1666666666666");
   const std::string page = run_command_line(with(line_through(file), {"--latex"})).out;
-  EXPECT_NE(page.find("\\begin{tabular}{lrr}\n\\toprule\nParameter & $a$ & $b$ \\\\\n"), std::string::npos)
+  EXPECT_NE(page.find("\\begin{tabular}{lrr}\n\\toprule\nparameter & $a$ & $b$ \\\\\n"), std::string::npos)
       << page;
-  for (const char* row : {"\nvalue & ", "\nstandard error & ", "\nprofile from & ", "\nprofile to & "})
+  for (const char* row : {"\nfitted & ", "\nstandard error & ", "\nprofile from & ", "\nprofile to & "})
     EXPECT_NE(page.find(row), std::string::npos) << page;
   const std::string text = run_command_line(line_through(file)).out;
   EXPECT_EQ(text.substr(0, text.find('\n')), "a + b x ~ '" + file + "', 3 rows, over x, least squares");

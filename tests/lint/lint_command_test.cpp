@@ -120,7 +120,7 @@ TEST(LintCommand, ReadsStandardInput) {
     const StandardInput input(wrong);
     const Outcome outcome = run_command_line({"lint", "-"});
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-    EXPECT_TRUE(outcome.out.starts_with("<stdin>:1:35: error: fresnel-quadratic: ")) << outcome.out;
+    EXPECT_TRUE(outcome.out.starts_with("<stdin>:1:34: error: fresnel-quadratic: ")) << outcome.out;
     EXPECT_EQ(outcome.out.find("--fix"), std::string::npos) << outcome.out;
   }
   const std::string python = "# exp2((-5.55473 * c - 6.8316) * c)\n";
