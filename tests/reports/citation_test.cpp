@@ -35,9 +35,10 @@ TEST(Citation, BibtexHasThePlaceUnlessItIsTheAddress) {
 }
 
 TEST(Citation, ATextHasItsAuthorsAndYearFirstOrIsATitle) {
-  const auto entries = bibtex_of_texts({"Le Saec, Schlick 1993, An algorithm: k = 1.55 g - 0.55 g^3",
-                                        "Le Saec 1993, An algorithm", "MaterialX, 2024: mx_albedo",
-                                        "Eberly, as cited by Lagarde 2014, Inverse functions"});
+  const auto entries =
+      bibtex_of_texts({OthersText("Le Saec, Schlick 1993, An algorithm: k = 1.55 g - 0.55 g^3"),
+                       OthersText("Le Saec 1993, An algorithm"), OthersText("MaterialX, 2024: mx_albedo"),
+                       OthersText("Eberly, as cited by Lagarde 2014, Inverse functions")});
   ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(entries[0],
             "@misc{le1993analgorithm,\n  author = {Le Saec and Schlick},\n"
