@@ -105,6 +105,7 @@ void note_lines(const toml::table& whole, StudyFile& file) {
     for (const auto& [name, node] : *part) note(fmt::format("{} {}", key, name.str()), &node);
   }
   note("over", whole.get("over"));
+  note("let", whole.get("let"));
   note("target", whole["target"]["formula"].node());
   note("recompute", whole["target"]["recompute"].node());
   note("table", whole["target"]["table"].node());

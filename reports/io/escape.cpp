@@ -60,8 +60,9 @@ std::string for_markdown(const OthersText& text) {
   // At the start of a line stand items of lists, underlines of headings and, indented, code.
   out.erase(0, out.find_first_not_of(' '));
   const std::size_t sign = std::min(out.find_first_not_of(digits), out.size());
-  const bool is_item = sign < out.size() &&
-                       std::string_view(sign == 0 ? "-+=" : ".)").find(out[sign]) != std::string_view::npos;
+  const std::string_view rest = std::string_view(out).substr(sign), next = rest.substr(0, 2);
+  const bool is_item =
+      sign == 0 ? rest.find_first_of("-+=") == 0 : next == "." || next == ")" || next == ". " || next == ") ";
   return is_item ? out.insert(sign, "\\") : out;
 }
 

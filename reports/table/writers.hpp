@@ -8,7 +8,9 @@
 
 #include "reports/table/table.hpp"
 
-/// One table, written for each kind of reader. Lines end in LF; nothing depends on the locale.
+/// One table, written for each kind of reader. Lines end in LF; nothing depends on the locale. A text of
+/// others is escaped for its place, and in a text of ours too a character that a terminal does not show is
+/// \xNN.
 namespace shadefit {
 
 /// RFC 4180, with a header line; a cell with a comma, quote or line break is quoted.

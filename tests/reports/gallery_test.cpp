@@ -38,7 +38,7 @@ TEST(Html, WritesNumbersAndVerdicts) {
 
 /// A page has no address outside itself: it works without a network.
 TEST(Html, StandsAlone) {
-  const std::string page = html_page("a & b", "<p>text</p>");
+  const std::string page = html_page(OthersText("a & b"), "<p>text</p>");
   EXPECT_NE(page.find("<title>a &amp; b</title>"), std::string::npos);
   for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
@@ -48,7 +48,7 @@ TEST(Html, StandsAlone) {
 GalleryEntry parabola() {
   GalleryEntry entry;
   entry.file.id = "parabola";
-  entry.file.title = "a parabola by a line";
+  entry.file.title = OthersText("a parabola by a line");
   entry.file.study = {.target = "x^2", .form = "", .over = {{"x", "0", "1"}}};
   entry.file.forms = {{"line", "a x + b"}};
   entry.file.published = {{.form = "line",

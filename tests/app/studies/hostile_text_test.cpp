@@ -133,9 +133,10 @@ Shape markdown_shape(const std::string& out) {
         bare += line[i];
       }
     }
-    const std::size_t sign = std::min(line.find_first_not_of("0123456789"), line.size() - 1);
-    const bool is_item = !line.empty() && std::string_view(sign == 0 ? "-+=" : ".)").find(line[sign]) !=
-                                              std::string_view::npos;
+    const std::size_t sign = std::min(line.find_first_not_of("0123456789"), line.size());
+    const std::string next = line.substr(sign, 2);
+    const bool is_item = sign == 0 ? next.find_first_of("-+=") == 0
+                                   : next == "." || next == ")" || next == ". " || next == ") ";
     shape += bare + (is_item ? "item" : "") + (line.find("://") != std::string::npos ? "link" : "") + "\n";
   }
   return shape;
@@ -198,7 +199,8 @@ Shape latex_shape(const std::string& out) {
     }
     depth += out[i] == '{' ? 1 : out[i] == '}' ? -1 : 0;
     EXPECT_GE(depth, 0) << out;
-    if (std::string_view("&%#^~@").find(out[i]) != std::string_view::npos) bare += out[i];
+    const bool is_entry = out[i] == '@' && (i == 0 || out[i - 1] == '\n');
+    if (is_entry || std::string_view("&%#^~").find(out[i]) != std::string_view::npos) bare += out[i];
   }
   EXPECT_EQ(depth, 0) << out;
   return bare;

@@ -191,7 +191,7 @@ TEST_F(StudyFolder, ATableLiesInItsFolder) {
     write("studies/line.toml",
           replaced(replaced(text, "x = \"0:1\"", "x = \"\""), "max_abs_error", "rms_error"));
   };
-  for (const std::string table :
+  for (const std::string& table :
        {secret, std::string("../secret"), std::string("link"), std::string("sub/../../secret"),
         std::string("/etc/shadow"), std::string("circle")}) {
     with_table(table);
@@ -272,7 +272,7 @@ TEST_F(StudyFolder, RefusesBadInput) {
       expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "'" + line);
   };
   refused("id = \"slope\"", "id = \"a'b\"",
-          ", line 11: form id 'a'b' must be letters, digits, '-' and '_', no '-' first");
+          ", line 10: form id 'a'b' must be letters, digits, '-' and '_', no '-' first");
   refused("a = \"-0.125\"", "c = \"-0.125\"", ": published values of 'line' lack the parameter 'a'");
   refused("b = \"1.0\"", "b = \"1.0\", c = \"1\"",
           ": published value 'c' is not a parameter of the form 'line'");

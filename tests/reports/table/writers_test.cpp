@@ -77,11 +77,11 @@ TEST(Writers, Latex) {
       "\\toprule\n"
       "id 1 & value & note \\\\\n"
       "\\midrule\n"
-      "a\\&b\\%c\\$d\\#e\\_f\\{g\\}h & $1.2\\times10^{-5}$ & "
+      "a\\&b\\%c\\$d\\#e\\_f\\textbraceleft{}g\\textbraceright{}h & $1.2\\times10^{-5}$ & "
       "\\textasciitilde{}\\textasciicircum{}\\textbackslash{}\\textless{}\\textgreater{}\\textbar{} \\\\\n"
       "{}[x] * & $-2.5$ & Gauß ≤ 1 \\\\\n"
       "{}* &  & $-8.656170$ \\\\\n"
-      "two lines & $7$ & 1e400 \\\\\n"
+      "two\\textbackslash{}x0alines & $7$ & 1e400 \\\\\n"
       "\\bottomrule\n"
       "\\end{tabular}\n");
 }
