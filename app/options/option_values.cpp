@@ -167,7 +167,7 @@ std::size_t parse_device(const std::string& option, const std::string& text) {
 bool looks_like_an_option(const CLI::Option& of, const std::string& text) {
   if (of.get_type_name().find("FORMULA") != std::string::npos) return text.starts_with("--");
   double number = 0;
-  return text.starts_with('-') &&
+  return text.starts_with('-') && text.size() > 1 &&
          std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc::invalid_argument;
 }
 

@@ -66,7 +66,8 @@ std::string reason_of(const Symbolic& formula, const std::function<double(const 
   }
   const double value = evaluate<double>(formula, value_of);
   if (std::isfinite(value)) return "";  // as a double; a node may be wider
-  return ": " + to_text(formula.with_parts(values)) + " is " + decimal(value, 6) + domain_of(formula);
+  return ": " + to_text(formula.with_parts(values)) + " is " +
+         (std::isnan(value) ? "nan" : decimal(value, 6)) + domain_of(formula);
 }
 
 /// The same at a node, by its number.

@@ -174,14 +174,15 @@ TEST(StudyVerdict, FindsLeastSquaresThatAreExactAtAnEnd) {
 
 // A fit has 14 digits: those behind are neither right nor wrong, and no evidence.
 TEST(StudyVerdict, ClaimsNoDigitsThatNoFitHas) {
-  PublishedSet set = printed(objective_of(arc_cosine, Norm::least_squares, {}), 13);
-  EXPECT_EQ(judged(set).compared_digits, std::nullopt);
-  const StudyJudgement few = judged(set);
-  for (auto& value : set.values) value.second += "1234567";
+  const StudyObjective asked = objective_of(arc_cosine, Norm::least_squares, {});
+  const StudyJudgement few = judged(printed(asked, 12));
+  EXPECT_EQ(few.compared_digits, std::nullopt);
+  PublishedSet set = printed(asked, 15);
+  for (auto& value : set.values) value.second += "123456";
   const StudyJudgement many = judged(set);
   EXPECT_EQ(name(many.verdict), "confirmed");
   EXPECT_EQ(many.compared_digits, 14);
-  EXPECT_GT(many.chance, few.chance / 100) << "seven more digits would have a chance of 1e-14";
+  EXPECT_GT(many.chance, 1e-6 * few.chance) << "nine more digits of two constants would have 1e-18 of it";
 }
 
 TEST(StudyVerdict, NamesTheNearestFitOfRefutedDigits) {
