@@ -18,9 +18,9 @@ std::string hex_text(double value) {
   for (std::size_t i = 0; i < digits.size(); ++i)
     digits[i] = "0123456789abcdef"[fraction >> (fraction_bits - 4 - 4 * i) & 0xF];
   digits.erase(digits.find_last_not_of('0') + 1);
-  const int power = exponent > 0 ? exponent - bias : fraction > 0 ? 1 - bias : 0;
+  const int binary = exponent > 0 ? exponent - bias : fraction > 0 ? 1 - bias : 0;
   return std::string(std::signbit(value) ? "-" : "") + (exponent > 0 ? "0x1" : "0x0") +
-         (digits.empty() ? "" : "." + digits) + (power < 0 ? "p" : "p+") + std::to_string(power);
+         (digits.empty() ? "" : "." + digits) + (binary < 0 ? "p" : "p+") + std::to_string(binary);
 }
 
 std::optional<double> parse_hex(std::string_view text) {
