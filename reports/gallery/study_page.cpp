@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "fit/better/prove_contenders.hpp"
 #include "fit/study_proof/study_certificate.hpp"
@@ -139,6 +140,14 @@ std::string formats(const StudyComparison& comparison) {
       has_search ? " The search keeps exact ends; other properties may be lost." : "");
 }
 
+/// Code line by line.
+std::string html_of_code(const std::string& code) {
+  std::istringstream lines(code);
+  std::string html;
+  for (std::string line; std::getline(lines, line);) html += for_html(line) + "\n";
+  return html;
+}
+
 /// The best contender of the first target as code, in each language that has its functions.
 std::string code_of(const GalleryEntry& entry) {
   const StudyComparison& comparison = entry.comparisons.front();
@@ -161,7 +170,7 @@ std::string code_of(const GalleryEntry& entry) {
     options += fmt::format("<option>{}</option>", name(language));
     blocks += fmt::format(
         "<div class=\"code\" data-language=\"{}\"><button type=\"button\">copy</button><pre>{}</pre></div>\n",
-        name(language), for_html(code));
+        name(language), html_of_code(code));
   }
   return fmt::format(
       "<h2>Code{}</h2>\n<p><label>Language <select autocomplete=\"off\">{}</select></label> <span class=\"soft\">{}</span></p>\n{}",

@@ -114,9 +114,9 @@ Shape lines_shape(const std::string& out) {
   return count_of(out, '\n');
 }
 
-/// The number of tags.
+/// The numbers of tags and lines.
 Shape html_shape(const std::string& out) {
-  return count_of(out, '<') + count_of(out, '>');
+  return count_of(out, '<') + count_of(out, '>') + count_of(out, '\n');
 }
 
 /// The lines without what is escaped: of each the mark that it begins with, and its cells.
@@ -290,6 +290,8 @@ class HostileText : public ::testing::Test {
 TEST_F(HostileText, KeepsTheShapeOfEachOutput) {
   const EnvironmentVariable path("PATH", "/nowhere");  // no gnuplot
   const auto plain = outputs_of(directory_, study(constant_text), true);
+  for (const NamedOutput& output : plain)
+    EXPECT_EQ(output.text.find("\\x"), std::string::npos) << output.name;
   std::size_t next = 0;
   const auto any = [&] { return hostile[next++ % hostile.size()]; };
   // Each field gets each text in turn.
