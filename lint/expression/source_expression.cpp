@@ -332,6 +332,9 @@ std::optional<Symbolic> read_expression(std::string_view text, CommentStyle styl
   for (std::size_t i = 0; i < source.names().size(); ++i) names.variables.push_back("v" + std::to_string(i));
   try {
     const Symbolic formula = read_formula(*rewritten, names).formula;
+    // A person does not write deeper ones, and a stack of 256 kB does not hold them.
+    constexpr std::size_t deepest_expression = 60;
+    if (formula.depth() > deepest_expression) return std::nullopt;
     return evaluate<Symbolic>(formula, [&](const std::string& name) {
       return Symbolic::variable(source.names()[std::stoul(name.substr(1))]);
     });
