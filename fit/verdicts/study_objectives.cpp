@@ -258,7 +258,8 @@ bool is_exact_at(const ReadStudy& study, const std::vector<std::string>& printed
 
 StudyFit errors_of_given(const ReadStudy& study) {
   require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
-  StudyFit given{.names = {}, .parameters = {}, .status = Status::converged};
+  StudyFit given;
+  given.status = Status::converged;
   given.rms_error = rms_error(study, StudyError(study), {});
   given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
   return given;

@@ -315,6 +315,19 @@ std::string_view function_value(std::string_view text) {
   return text;
 }
 
+/// A person does not write deeper expressions, and a stack of 256 kB does not hold them.
+constexpr std::size_t deepest_expression = 60;
+constexpr long deepest_parentheses = 40;
+
+long deepest_parentheses_in(std::string_view text) {
+  long depth = 0, deepest = 0;
+  for (const char c : text) {
+    if (c == '(') deepest = std::max(deepest, ++depth);
+    if (c == ')') --depth;
+  }
+  return deepest;
+}
+
 }  // namespace
 
 bool is_number(const Symbolic& formula) {
@@ -327,11 +340,12 @@ std::optional<Symbolic> read_expression(std::string_view text, CommentStyle styl
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
   Rewriter source(std::move(plain));
   const auto rewritten = source.rewrite();
-  if (!rewritten) return std::nullopt;
+  if (!rewritten || deepest_parentheses_in(*rewritten) > deepest_parentheses) return std::nullopt;
   FormulaNames names;
   for (std::size_t i = 0; i < source.names().size(); ++i) names.variables.push_back("v" + std::to_string(i));
   try {
     const Symbolic formula = read_formula(*rewritten, names).formula;
+    if (formula.depth() > deepest_expression) return std::nullopt;
     return evaluate<Symbolic>(formula, [&](const std::string& name) {
       return Symbolic::variable(source.names()[std::stoul(name.substr(1))]);
     });

@@ -81,10 +81,13 @@ TEST(Process, AnInterruptionOfThePrintingIsTold) {
 #ifndef SHADEFIT_SANITIZE  // which takes address space of its own
 TEST(Process, LintNeedsASmallStack) {
   const TemporaryDirectory directory;
-  const std::string deep(300, '(');
+  std::string deep;
+  for (int i = 0; i < 90; ++i) deep += " - sqrt(1.0";
   for (int i = 0; i < 100; ++i)
-    directory.file(std::to_string(i) + ".glsl", "float f(float c) { return exp2((-5.55473*c + " + deep +
-                                                    "6.98316" + std::string(deep.size(), ')') + ")*c); }\n");
+    directory.file(std::to_string(i) + ".glsl",
+                   "float f(float c) { return exp2((-5.55473*c + 6.98316)*c); }\n"
+                   "float g(float c) { return -5.55473*c - 6.98316" +
+                       deep + std::string(90, ')') + "; }\n");
   const auto finished = run_process({"lint", directory.path().string()}, [] {
     const rlimit limit{256U << 10, 256U << 10};
     ::setrlimit(RLIMIT_STACK, &limit);
