@@ -15,7 +15,6 @@ class OthersText {
  public:
   OthersText() = default;
   OthersText(std::string text) : text_(std::move(text)) {}
-  OthersText(const char* text) : text_(text) {}
 
   bool empty() const { return text_.empty(); }
 

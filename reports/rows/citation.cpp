@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -42,7 +43,6 @@ std::string bibtex_name(const OthersText& author) {
   const std::string& name = author.unescaped();
   const bool is_one = name.find(' ') == std::string::npos || name.find(',') != std::string::npos;
   return is_one ? for_latex(author) : "{" + for_latex(author) + "}";
-}
 }
 
 /// Calls `use` with each id of the ledger and the catalogue and a source that it has.
@@ -106,8 +106,10 @@ std::vector<std::string> bibtex_of_sets(const std::vector<PublishedSet>& sets) {
     add("url", work.url);
     if (!seen.insert(body).second) continue;
     const std::string author = work.authors.empty() ? "" : first_letters(work.authors.front().unescaped(), 1);
-    std::string key =
-        author + first_letters(work.year.unescaped(), 1) + first_letters(work.title.unescaped(), 2);
+    std::string year;
+    std::ranges::copy_if(work.year.unescaped(), std::back_inserter(year),
+                         [](char c) { return '0' <= c && c <= '9'; });
+    std::string key = author + year + first_letters(work.title.unescaped(), 2);
     if (key.empty()) key = "source";
     // Titles of code often begin with the same words.
     const int before = uses[key]++;

@@ -38,17 +38,19 @@ TEST(Citation, AStudyCitesByFieldsAndWithoutThemByItsSource) {
   const auto set = [](const std::string& source, std::optional<CitedWork> cite) {
     return PublishedSet{.form = "", .values = {}, .source = source, .cite = std::move(cite)};
   };
-  const CitedWork paper_of_two{.authors = {"Le Saec", "Schlick, Christophe"},
-                               .title = "An algorithm: k = 1.55 g - 0.55 g^3",
-                               .year = "1993",
-                               .howpublished = "Workshop",
-                               .note = "with a note",
+  const CitedWork paper_of_two{.authors = {OthersText("Le Saec"), OthersText("Schlick, Christophe")},
+                               .title = OthersText("An algorithm: k = 1.55 g - 0.55 g^3"),
+                               .year = OthersText("1993"),
+                               .howpublished = OthersText("Workshop"),
+                               .note = OthersText("with a note"),
                                .url = "https://host.org/a_b"};
-  const CitedWork code{.authors = {"Unity Technologies"}, .title = "BSDF.hlsl: F_Coat"};
-  const auto entries =
-      bibtex_of_sets({set("a", paper_of_two), set("b", paper_of_two),
-                      set("c", CitedWork{.authors = {"Le"}, .title = "An algorithm", .year = "1993"}),
-                      set("d", code), set("Eberly 2014, Inverse functions", {})});
+  const CitedWork code{.authors = {OthersText("Unity Technologies")},
+                       .title = OthersText("BSDF.hlsl: F_Coat")};
+  const auto entries = bibtex_of_sets({set("a", paper_of_two), set("b", paper_of_two),
+                                       set("c", CitedWork{.authors = {OthersText("Le")},
+                                                          .title = OthersText("An algorithm"),
+                                                          .year = OthersText("1993")}),
+                                       set("d", code), set("Eberly 2014, Inverse functions", {})});
   ASSERT_EQ(entries.size(), 4U) << "each work once";
   EXPECT_EQ(entries[0],
             "@misc{le1993analgorithm,\n  author = {{Le Saec} and Schlick, Christophe},\n"
