@@ -196,7 +196,7 @@ ChosenStudySubject better_subject(const StudyFile& file, const Study& study, con
         "--better: no set of '{0}' errs less than the published one at no more cost and keeps its properties: see 'shadefit better {0}'",
         options.fit.id));
   return {subject_of(study, *best), "fitted",
-          fmt::format("fitted: {}; better than {}", best->origin, published->origin)};
+          "fitted: " + best->origin + "; better than " + published->origin};
 }
 
 std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint) {

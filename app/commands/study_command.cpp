@@ -153,7 +153,7 @@ std::string latex_text(const StudyFile& file, const std::vector<FittedStudy>& st
   return joined(studies, "\n", [&](const FittedStudy& study) {
     const std::string given = given_text(study.asked());
     return fmt::format("% {}{}: {}, rms error {:.4g}, largest residual {:.4g}\n",
-                       one_line(study_headline(study)), given.empty() ? "" : ", " + given,
+                       for_comment(study_headline(study)), given.empty() ? "" : ", " + given,
                        name(study.fit.status), study.fit.rms_error, study.fit.max_abs_error.magnitude) +
            latex(parameters_table(study));
   });

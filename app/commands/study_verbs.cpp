@@ -55,7 +55,7 @@ std::string advice_of(const StudyComparison& comparison, bool is_one_of_several,
 }
 
 /// The variables and parameters of all contenders.
-std::vector<std::string> names_in(const StudyComparison& comparison) {
+std::vector<std::string> names_compared(const StudyComparison& comparison) {
   std::vector<std::string> names;
   for (const StudyContender& contender : comparison.contenders) {
     const auto inputs = formula_inputs(formulas_of(comparison, contender));
@@ -120,7 +120,7 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
       return advice_of(comparison, comparisons.size() > 1, options) +
              console_text(comparison, options.terminal);
     return write_latex(with_digits(study_comparison_table(comparison), options.digits), Precision::report,
-                       names_in(comparison));
+                       names_compared(comparison));
   };
   return {0, joined(comparisons, "\n", shown), "", put};
 }

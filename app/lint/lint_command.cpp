@@ -186,7 +186,9 @@ lint::LintedTree lint_standard_input(const LintOptions& options, const lint::Kno
   const lint::SourceLanguage language =
       options.languages.empty() ? lint::SourceLanguage::glsl : options.languages.front();
   const std::string text = read_standard_input(lint::largest_source, checkpoint);
-  lint::LintedTree linted{.sites = {}, .files = 1, .bytes = text.size()};
+  lint::LintedTree linted;
+  linted.files = 1;
+  linted.bytes = text.size();
   linted.sites = lint_source("<stdin>", text, language, known, limits, checkpoint, &linted.skipped);
   return linted;
 }

@@ -215,8 +215,7 @@ void declare_run(CLI::App& run, RunOptions& options) {
       ->type_name("ID");
   add_force(run, options.force);
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
-  auto* html =
-      run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
+  run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
 }
 
 void declare_fit(CLI::App& fit, FitOptions& options) {
