@@ -35,7 +35,7 @@ void expect_near_relative(double computed, double expected, double tolerance, co
 }
 
 const MeasuredRows measured_line{
-    "line.csv", {{0, 1, 2, 4, 7}}, {1.1, 2.9, 5.2, 8.7, 15.4}, {0.1, 0.2, 0.1, 0.3, 0.2}};
+    OthersText("line.csv"), {{0, 1, 2, 4, 7}}, {1.1, 2.9, 5.2, 8.7, 15.4}, {0.1, 0.2, 0.1, 0.3, 0.2}};
 
 /// The line a + b x by the sums of textbooks: Press, Teukolsky, Vetterling, Flannery 2007, "Numerical
 /// Recipes", 15.2.
@@ -184,7 +184,8 @@ std::vector<Certified> certified() {
 // Without a start: the certified problems give two, from which many solvers fail.
 TEST(RowStudy, HasTheCertifiedNumbersOfNist) {
   for (const Certified& known : certified()) {
-    const StudyFit fit = fit_of_rows(study_of_rows(known.form, {known.name, {known.x}, known.y, {}}));
+    const StudyFit fit =
+        fit_of_rows(study_of_rows(known.form, {OthersText(known.name), {known.x}, known.y, {}}));
     ASSERT_EQ(name(fit.status), "converged") << known.name << ": " << fit.why;
     ASSERT_TRUE(fit.statistics) << known.name;
     constexpr double eleven_digits = 6e-11;
@@ -198,7 +199,7 @@ TEST(RowStudy, HasTheCertifiedNumbersOfNist) {
 }
 
 TEST(RowStudy, RecoversADecay) {
-  MeasuredRows rows{"decay.csv", {{}}, {}, {}};
+  MeasuredRows rows{OthersText("decay.csv"), {{}}, {}, {}};
   for (int i = 0; i < 12; ++i) {
     rows.places[0].push_back(i / 4.0);
     rows.value.push_back(2 * std::exp(-1.5 * i / 4.0) + 0.25);
@@ -217,7 +218,7 @@ TEST(RowStudy, RecoversADecay) {
 // Of more than 2000 rows the search begins with some.
 TEST(RowStudy, FitsManyRows) {
   for (const int count : {2000, 2001, 4500}) {
-    MeasuredRows rows{"decay.csv", {{}}, {}, {}};
+    MeasuredRows rows{OthersText("decay.csv"), {{}}, {}, {}};
     for (int i = 0; i < count; ++i) {
       rows.places[0].push_back(3.0 * i / count);
       rows.value.push_back(2 * std::exp(-1.5 * rows.places[0].back()) + 0.25);
@@ -233,7 +234,7 @@ TEST(RowStudy, FitsManyRows) {
 TEST(RowStudy, ProfilesAreClosedOrOpen) {
   const auto fit_with_mean = [](double m) {
     return fit_of_rows(
-        study_of_rows("exp(a)", {"m.csv", {{1, 2, 3}}, {m - 1, m, m + 1}, {1, 1, 1}}, "1/sigma"));
+        study_of_rows("exp(a)", {OthersText("m.csv"), {{1, 2, 3}}, {m - 1, m, m + 1}, {1, 1, 1}}, "1/sigma"));
   };
   const double step = 1 / std::sqrt(3.0);
   for (const double mean : {2.0, 0.6}) {
@@ -256,7 +257,7 @@ TEST(RowStudy, ProfilesAreClosedOrOpen) {
 
 TEST(RowStudy, ProfilesEndWhereTheFormHasNoValue) {
   // sqrt(b + x) has no value at x = 0 with b below 0.
-  const MeasuredRows rows{"root.csv", {{0, 0.25, 1, 4}}, {0.3, 0.4, 1.1, 1.9}, {1, 1, 1, 1}};
+  const MeasuredRows rows{OthersText("root.csv"), {{0, 0.25, 1, 4}}, {0.3, 0.4, 1.1, 1.9}, {1, 1, 1, 1}};
   const StudyFit fit = fit_of_rows(study_of_rows("sqrt(b + x)", rows, "1/sigma"));
   ASSERT_TRUE(fit.statistics) << fit.why;
   EXPECT_NEAR(*fit.statistics->profiles[0].lower, 0, 1e-9);
@@ -264,25 +265,27 @@ TEST(RowStudy, ProfilesEndWhereTheFormHasNoValue) {
 
 // As many rows as parameters leave nothing to compute errors from; one more does.
 TEST(RowStudy, NeedsMoreRowsThanParametersForErrors) {
-  const MeasuredRows two{"m.csv", {{0, 1}}, {1, 3}, {}}, three{"m.csv", {{0, 1, 2}}, {1, 3, 4}, {}};
+  const MeasuredRows two{OthersText("m.csv"), {{0, 1}}, {1, 3}, {}},
+      three{OthersText("m.csv"), {{0, 1, 2}}, {1, 3, 4}, {}};
   EXPECT_FALSE(fit_of_rows(study_of_rows("a + b x", two)).statistics);
   EXPECT_EQ(fit_of_rows(study_of_rows("a + b x", three)).statistics->freedom, 1u);
   EXPECT_THROW(fit_of_rows(study_of_rows("a + b x + d x^2", two)), UserError);
 }
 
 TEST(RowStudy, SaysWhatRowsDoNotDetermine) {
-  const StudyFit flat = fit_of_rows(study_of_rows("a + b x", {"m.csv", {{1, 1, 1}}, {2, 3, 4}, {}}));
+  const StudyFit flat =
+      fit_of_rows(study_of_rows("a + b x", {OthersText("m.csv"), {{1, 1, 1}}, {2, 3, 4}, {}}));
   EXPECT_EQ(name(flat.status), "degenerate");
   EXPECT_FALSE(flat.statistics);
   // Left and right of the middle are as good, and different curves.
-  const StudyFit two = fit_of_rows(
-      study_of_rows("exp(-4 (x - m)^2)", {"m.csv", {{-1, -0.5, 0, 0.5, 1}}, {1, 0.5, 0, 0.5, 1}, {}}));
+  const StudyFit two = fit_of_rows(study_of_rows(
+      "exp(-4 (x - m)^2)", {OthersText("m.csv"), {{-1, -0.5, 0, 0.5, 1}}, {1, 0.5, 0, 0.5, 1}, {}}));
   EXPECT_EQ(name(two.status), "ambiguous");
 }
 
 // Rows at every tenth are as well on a wave of 20 pi more: the slow one counts.
 TEST(RowStudy, TakesTheSlowestWave) {
-  MeasuredRows rows{"wave.csv", {{}}, {}, {}};
+  MeasuredRows rows{OthersText("wave.csv"), {{}}, {}, {}};
   for (int i = 0; i < 30; ++i) {
     rows.places[0].push_back(i / 10.0);
     rows.value.push_back(std::sin(0.7 * i + 0.4) + (i % 3) / 50.0);
@@ -297,7 +300,8 @@ TEST(RowStudy, TakesTheSlowestWave) {
 // The starts reach as far as the numbers of the rows, which have units.
 TEST(RowStudy, StartsAtTheSizesOfTheRows) {
   const auto starts = [](double x, double y) {
-    return starts_of(read_study(study_of_rows("a exp(-b x)", {"m.csv", {{0, x}}, {0, y}, {}})), 1);
+    return starts_of(read_study(study_of_rows("a exp(-b x)", {OthersText("m.csv"), {{0, x}}, {0, y}, {}})),
+                     1);
   };
   EXPECT_EQ(starts(1, 1).octaves, 6);
   EXPECT_EQ(starts(1, 1).count, 32u);
@@ -309,14 +313,15 @@ TEST(RowStudy, StartsAtTheSizesOfTheRows) {
 
 TEST(RowStudy, TakesARelativeErrorAndAnyWeight) {
   // The mean of (a/y - 1)^2 over y = 1, 2 is least at a = (1 + 1/2)/(1 + 1/4).
-  Study relative = study_of_rows("a", {"m.csv", {{1, 2}}, {1, 2}, {}});
+  Study relative = study_of_rows("a", {OthersText("m.csv"), {{1, 2}}, {1, 2}, {}});
   relative.error = Error::relative;
   EXPECT_NEAR(fit_of_rows(relative).parameters[0], 1.2, 1e-15);
-  EXPECT_NEAR(fit_of_rows(study_of_rows("a", {"m.csv", {{1, 2}}, {1, 2}, {}}, "1/value")).parameters[0], 1.2,
-              1e-15);
+  EXPECT_NEAR(
+      fit_of_rows(study_of_rows("a", {OthersText("m.csv"), {{1, 2}}, {1, 2}, {}}, "1/value")).parameters[0],
+      1.2, 1e-15);
   // The weight multiplies the error: the mean of x^2 (a - y)^2.
-  EXPECT_NEAR(fit_of_rows(study_of_rows("a", {"m.csv", {{1, 2}}, {1, 2}, {}}, "x")).parameters[0], 1.8,
-              1e-15);
+  EXPECT_NEAR(fit_of_rows(study_of_rows("a", {OthersText("m.csv"), {{1, 2}}, {1, 2}, {}}, "x")).parameters[0],
+              1.8, 1e-15);
 }
 
 TEST(RowStudy, AnswersBadInputWithOneLine) {
@@ -362,14 +367,14 @@ TEST(RowStudy, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal([](Study& s) { s.weight = "max(x - 1, 0)"; }),
             "--weight must be finite and greater than 0; it is not at line 2 of 'line.csv'");
   EXPECT_EQ(refusal([&](Study& s) {
-              s.rows = with_rows({"m.csv", {{1, 2, 3}}, {1, 0, 2}, {}});
+              s.rows = with_rows({OthersText("m.csv"), {{1, 2, 3}}, {1, 0, 2}, {}});
               s.weight = "1";
               s.error = Error::relative;
             }),
             "--error 'relative' divides by the target, which is 0 at line 3 of 'm.csv': leave that row out");
   // Without a column sigma the name is free.
   EXPECT_EQ(refusal([&](Study& s) {
-              s.rows = with_rows({"m.csv", {{1, 2, 3}}, {1, 0, 2}, {}});
+              s.rows = with_rows({OthersText("m.csv"), {{1, 2, 3}}, {1, 0, 2}, {}});
               s.weight = "1";
               s.form = "a + sigma x";
             }),

@@ -189,7 +189,7 @@ TEST_P(TableStudy, HasALeastLevel) {
       std::vector<double> values;
       for (const std::string& text : values_of(set, read.parameters))
         values.push_back(constant<double>(text));
-      EXPECT_GT(largest_weighted_error(read, values).magnitude, *fit.level) << set.source;
+      EXPECT_GT(largest_weighted_error(read, values).magnitude, *fit.level) << set.source.unescaped();
     }
   }
 }

@@ -47,25 +47,25 @@ TEST(StudyClaims, JudgesMeansAndRanges) {
   // |x/2 - x^2| is x/2 - x^2 up to 1/2: 1/48 + 1/48 + 1/12.
   EXPECT_NEAR(computed({StatedError::mean_abs_error, "0.1"}, 0.5), 1.0 / 48 + 5.0 / 48, 1e-14);
   const std::vector<StudyRange> upper{{"x", "1/2", "1"}}, beyond{{"x", "1", "3"}};
-  EXPECT_NEAR(computed({StatedError::mean_rel_error, "0.1", "", upper}, 1), 2 * std::log(2.0) - 1, 1e-13);
-  EXPECT_NEAR(computed({StatedError::max_abs_error, "0.1", "", beyond}, 1), 6, 1e-12);
-  EXPECT_NEAR(computed({StatedError::rms_error, "0.1", "", upper}, 0), std::sqrt(2 * 31.0 / 160), 1e-12);
-  EXPECT_EQ(name(judge_error({StatedError::max_rel_error, "1.0", "", upper}, parabola, {1}).verdict),
+  EXPECT_NEAR(computed({StatedError::mean_rel_error, "0.1", {}, upper}, 1), 2 * std::log(2.0) - 1, 1e-13);
+  EXPECT_NEAR(computed({StatedError::max_abs_error, "0.1", {}, beyond}, 1), 6, 1e-12);
+  EXPECT_NEAR(computed({StatedError::rms_error, "0.1", {}, upper}, 0), std::sqrt(2 * 31.0 / 160), 1e-12);
+  EXPECT_EQ(name(judge_error({StatedError::max_rel_error, "1.0", {}, upper}, parabola, {1}).verdict),
             "confirmed");
   EXPECT_FALSE(std::isfinite(computed({StatedError::mean_rel_error, "0.1"}, 1)));
 }
 
 TEST(StudyClaims, OfATableTakesTheRowsInTheRange) {
-  Study table{.target = "", .form = "a x", .over = {{"x", "", ""}}};
+  Study table{.target = {}, .form = "a x", .over = {{"x", "", ""}}};
   table.rows = std::make_shared<const MeasuredRows>(MeasuredRows{.file = OthersText("rows.csv"),
                                                                  .places = {{0.1, 0.5, 0.7, 1}},
                                                                  .value = {9, 0.4, 0.9, 5},
                                                                  .sigma = {}});
-  const ErrorClaim claim{StatedError::mean_abs_error, "0.15", "", {{"x", "0.5", "0.7"}}};
+  const ErrorClaim claim{StatedError::mean_abs_error, "0.15", {}, {{"x", "0.5", "0.7"}}};
   const JudgedError judged = judge_error(claim, table, {1});
   EXPECT_NEAR(judged.computed, 0.15, 1e-15);
   EXPECT_EQ(name(judged.verdict), "confirmed");
-  const ErrorClaim outside{StatedError::mean_abs_error, "0.15", "", {{"x", "2", "3"}}};
+  const ErrorClaim outside{StatedError::mean_abs_error, "0.15", {}, {{"x", "2", "3"}}};
   try {
     judge_error(outside, table, {1});
     ADD_FAILURE();
