@@ -50,7 +50,7 @@ inline std::vector<FormOfStudy> forms_of_studies() {
                    [&](const PublishedSet& set) { return set.form == form.id && is_for(set, study); });
       const bool is_published = !sets.empty();
       if (!is_published) {
-        sets.push_back({.form = form.id, .values = {}, .source = "not published"});
+        sets.push_back({.form = form.id, .values = {}, .source = OthersText("not published")});
         for (const std::string& parameter : read.parameters)
           sets.front().values.emplace_back(parameter, "0.625");
       }
@@ -58,7 +58,7 @@ inline std::vector<FormOfStudy> forms_of_studies() {
         forms.push_back(
             form_of_study(file.id + "_" + form.id + "_" + std::to_string(i + 1), read, sets[i].values));
         forms.back().is_published = is_published;
-        forms.back().function.comment = {form.formula, file.study.target, sets[i].source};
+        forms.back().function.comment = {form.formula, file.study.target, sets[i].source.unescaped()};
       }
     }
   }

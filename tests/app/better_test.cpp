@@ -15,22 +15,21 @@
 namespace shadefit {
 namespace {
 
-using nlohmann::json;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::TemporaryDirectory;
 
 TEST(BetterCommand, AFresnelFormMeetsItsThreeTargets) {
-  const json comparisons = json_of({"better", "fresnel-one-term"});
+  const nlohmann::json comparisons = json_of({"better", "fresnel-one-term"});
   ASSERT_EQ(comparisons.size(), 3U);
   EXPECT_EQ(comparisons[0]["target"], "(1 - c)^5");
   EXPECT_EQ(comparisons[1]["target"], "exact dielectric n = 1.5");
   EXPECT_EQ(comparisons[2]["target"], "exact conductor n = 0.43, k = 2.455");
   EXPECT_TRUE(comparisons[0]["surface"].is_null());
   EXPECT_EQ(comparisons[2]["surface"]["extinction"], 2.455);
-  for (const json& comparison : comparisons) {
+  for (const nlohmann::json& comparison : comparisons) {
     EXPECT_TRUE(comparison["left_out"].empty());
-    for (const json& curve : comparison["curves"]) {
+    for (const nlohmann::json& curve : comparison["curves"]) {
       const double lower = curve["certified_max_abs_error"][0], upper = curve["certified_max_abs_error"][1];
       EXPECT_LE(lower, upper);
       EXPECT_LE(upper - lower, 1e-9 * lower);
@@ -46,9 +45,9 @@ TEST(RunCommand, AFormOfComparisonAlone) {
 }
 
 TEST(BetterCommand, HalfHoldsBetterConstantsThanThePublishedOnesRounded) {
-  const json comparison = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
+  const nlohmann::json comparison = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
   std::vector<std::string> seen;
-  for (const json& curve : comparison["in_half"]) {
+  for (const nlohmann::json& curve : comparison["in_half"]) {
     seen.push_back(curve["published"]);
     EXPECT_TRUE(curve["proven"]) << curve;
     EXPECT_LT(curve["best"]["max_abs_error"], curve["rounded"]["max_abs_error"]) << curve;
@@ -56,31 +55,32 @@ TEST(BetterCommand, HalfHoldsBetterConstantsThanThePublishedOnesRounded) {
   std::sort(seen.begin(), seen.end());
   EXPECT_EQ(seen,
             (std::vector<std::string>{"fresnel-offset-one", "fresnel-one-term", "fresnel-quadratic-a"}));
-  const json steep = json_of({"better", "sg-offset-limit"});
-  for (const json& curve : steep["in_half"])
+  const nlohmann::json steep = json_of({"better", "sg-offset-limit"});
+  for (const nlohmann::json& curve : steep["in_half"])
     EXPECT_EQ(curve["reason"], "exponent 1e+06 is not a number of half: the largest is 65504");
 }
 
 TEST(BetterCommand, OneTargetWhereOneIsNamed) {
-  const json schlick = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
+  const nlohmann::json schlick = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
   EXPECT_EQ(schlick["target"], "(1 - c)^5");
-  const json first = schlick["curves"][0];
+  const nlohmann::json first = schlick["curves"][0];
   EXPECT_EQ(first["published"], "fresnel-quadratic-a");
   EXPECT_EQ(first["printed"]["a"], "-5.55473");
   EXPECT_EQ(first["instructions"], 3);
   EXPECT_EQ(json_of({"better", "fresnel-quadratic", "--target", "exact", "--ior", "2"})["target"],
             "exact dielectric n = 2");
   EXPECT_EQ(json_of({"better", "fresnel-quadratic", "--ior", "1.5"})["target"], "(1 - c)^5, f0 of n = 1.5");
-  const json part = json_of({"better", "fresnel-quadratic", "--target", "schlick", "--domain", "0.25:1"});
+  const nlohmann::json part =
+      json_of({"better", "fresnel-quadratic", "--target", "schlick", "--domain", "0.25:1"});
   EXPECT_EQ(part["domain"], (json{0.25, 1}));
 }
 
 TEST(BetterCommand, ALobeAtTheEndsOfItsExponents) {
   const auto exponents = [](const std::vector<std::string>& arguments) {
-    const json found = json_of(arguments);
+    const nlohmann::json found = json_of(arguments);
     std::vector<double> all;
     if (found.is_object()) return std::vector<double>{found["exponent"]};
-    for (const json& comparison : found) all.push_back(comparison["exponent"]);
+    for (const nlohmann::json& comparison : found) all.push_back(comparison["exponent"]);
     return all;
   };
   EXPECT_EQ(exponents({"better", "sg-offset"}), (std::vector<double>{1, 1e6}));
@@ -157,8 +157,8 @@ TEST(SensitivityOption, Console) {
 }
 
 TEST(SensitivityOption, Json) {
-  const json fit = json_of({"fit", "fresnel-quadratic", "--norm", "minimax", "--sensitivity"});
-  const json& sensitivity = fit["sensitivity"];
+  const nlohmann::json fit = json_of({"fit", "fresnel-quadratic", "--norm", "minimax", "--sensitivity"});
+  const nlohmann::json& sensitivity = fit["sensitivity"];
   EXPECT_NEAR(sensitivity["objective"].get<double>() / fit["level"].get<double>(), 1, 1e-12);
   const double lower = sensitivity["parameters"]["a"]["profile_1_percent"][0],
                upper = sensitivity["parameters"]["a"]["profile_1_percent"][1], a = fit["parameters"]["a"];
@@ -166,7 +166,8 @@ TEST(SensitivityOption, Json) {
   EXPECT_GT(upper, a);
   EXPECT_EQ(sensitivity["all_within_1_percent"]["parameters"].size(), 2U);
   EXPECT_EQ(sensitivity["contracts"].size(), 4U);
-  const json sweep = json_of({"fit", "sg-offset", "--exponent", "5,7", "--sensitivity", "--certify"});
+  const nlohmann::json sweep =
+      json_of({"fit", "sg-offset", "--exponent", "5,7", "--sensitivity", "--certify"});
   EXPECT_TRUE(sweep[1].contains("sensitivity") && sweep[1].contains("certified_max_abs_error"));
   EXPECT_FALSE(json_of({"fit", "fresnel-quadratic"}).contains("sensitivity"));
 }
@@ -190,12 +191,12 @@ TEST(SensitivityOption, BadInput) {
 TEST(BetterStudy, OneBestSetEverywhere) {
   const CsvTable gallery = parse_csv(read_file(SHADEFIT_SOURCE_DIR "/docs/gallery/gallery.csv"), "gallery");
   for (const std::string id : {"acos-linear", "acos-cubic", "f0-under-coat", "atan-quintic"}) {
-    const json contenders = json_of({"better", id})["contenders"];
+    const nlohmann::json contenders = json_of({"better", id})["contenders"];
     std::vector<std::string> best_errors;
     for (const auto& row : gallery.rows)
       if (row[0] == id) best_errors.push_back(row[8]);
     std::size_t compared = 0;
-    for (const json& contender : contenders) {
+    for (const nlohmann::json& contender : contenders) {
       if (contender["kind"] == "fitted") {
         EXPECT_TRUE(contender["best"].is_null());
         continue;

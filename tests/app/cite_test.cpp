@@ -67,7 +67,8 @@ TEST(Cite, EveryStudyOfTheProjectHasFields) {
   std::size_t addresses = 0;
   for (const auto& path : known_study_files(study_folders({}))) {
     for (const PublishedSet& set : load_study(path).published) {
-      EXPECT_EQ(set.cite.has_value(), !without.contains(set.source)) << path << set.source;
+      EXPECT_EQ(set.cite.has_value(), !without.contains(set.source.unescaped()))
+          << path << set.source.unescaped();
       addresses += set.cite && !set.cite->url.empty() ? 1 : 0;
     }
   }

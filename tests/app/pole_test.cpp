@@ -11,7 +11,6 @@
 namespace shadefit {
 namespace {
 
-using nlohmann::json;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::snapshot;
@@ -36,7 +35,7 @@ TEST(Pole, AFitThatEndsAtTheBorderSaysSo) {
       std::string::npos)
       << text.err;
   const Outcome machine = run(fit, {"--norm", "minimax", "--json"});
-  const json told = json::parse(machine.out);
+  const nlohmann::json told = nlohmann::json::parse(machine.out);
   EXPECT_EQ(machine.exit_code, 1);
   EXPECT_EQ(told["status"], "at-border");
   EXPECT_TRUE(told["parameters"]["a"].is_null());
@@ -98,7 +97,7 @@ TEST(Bound, AnInfiniteOneIsNoProof) {
 
 // Half of all numbers have a pole: the search rules them out at once, and rounds to none of them.
 TEST(Pole, NoConstantsAreRoundedToOne) {
-  const json rounded = json_of(
+  const nlohmann::json rounded = json_of(
       {"fit", "fresnel-rational", "--target", "exact", "--ior", "0.97", "--round", "decimal:1"})["rounded"];
   EXPECT_EQ(rounded["proven"], true);
   EXPECT_GT(rounded["parameters"]["a"], -1);

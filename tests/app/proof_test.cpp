@@ -18,13 +18,12 @@
 namespace shadefit {
 namespace {
 
-using nlohmann::json;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::TemporaryDirectory;
 
 TEST(Certify, ThePublishedValuesWhereThereAreAny) {
-  const json form = json_of({"certify", "fresnel-quadratic"});
+  const nlohmann::json form = json_of({"certify", "fresnel-quadratic"});
   EXPECT_EQ(form["parameters_from"], "published");
   EXPECT_EQ(form["parameters"]["a"], "-5.55473");
   EXPECT_LE(form["certified_max_error"][0], 3.7664127395073188e-3);
@@ -32,7 +31,7 @@ TEST(Certify, ThePublishedValuesWhereThereAreAny) {
   EXPECT_EQ(form["curve"]["rises with the angle"], "proven");
   const auto from = [](std::vector<std::string> arguments) {
     arguments.push_back("--json");
-    return json::parse(run_command_line(arguments).out)["parameters_from"];
+    return nlohmann::json::parse(run_command_line(arguments).out)["parameters_from"];
   };
   EXPECT_EQ(from({"certify", "sg-offset", "--exponent", "5"}), "published");
   EXPECT_EQ(from({"certify", "sg-offset", "--exponent", "7"}), "fitted");
@@ -95,8 +94,8 @@ TEST(Verify, SaysWhatHolds) {
 
 /// From inside glass the error is largest at the critical angle, where the target falls like a square root.
 TEST(Certify, ReachesTheLeastWidthAtAKink) {
-  const json at = json_of({"certify", "fresnel-quadratic", "--target", "exact", "--ior", "0.6667", "--width",
-                           "1e-15"})["certified_max_error_at"];
+  const nlohmann::json at = json_of({"certify", "fresnel-quadratic", "--target", "exact", "--ior", "0.6667",
+                                     "--width", "1e-15"})["certified_max_error_at"];
   EXPECT_NEAR(at[0][0], std::sqrt(1 - 0.6667 * 0.6667), 1e-9);
   EXPECT_NEAR(at[0][1], std::sqrt(1 - 0.6667 * 0.6667), 1e-9);
 }
@@ -136,7 +135,7 @@ TEST(Verify, RefusesWithTheReason) {
 }
 
 TEST(Fit, CertifyAddsProofs) {
-  const json fit = json_of({"fit", "fresnel-quadratic", "--certify"});
+  const nlohmann::json fit = json_of({"fit", "fresnel-quadratic", "--certify"});
   // The search in doubles rounds: the proof is more accurate below its last digits.
   EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"].get<double>() * (1 + 1e-13));
   EXPECT_GE(fit["certified_max_abs_error"][1], fit["max_abs_error"]);
@@ -147,7 +146,7 @@ TEST(Fit, CertifyAddsProofs) {
   EXPECT_EQ(fit["curve"]["at most 1"], "proven");
   const Outcome text = run_command_line({"fit", "sg-offset", "--exponent", "5", "--certify"});
   EXPECT_NE(text.out.find("one minimum, x in ["), std::string::npos) << text.out;
-  EXPECT_FALSE(json::parse(run_command_line({"fit", "fresnel-quadratic", "--json"}).out)
+  EXPECT_FALSE(nlohmann::json::parse(run_command_line({"fit", "fresnel-quadratic", "--json"}).out)
                    .contains("certified_max_abs_error"));
 }
 

@@ -15,11 +15,9 @@ namespace {
 using testing::expect_refusal;
 using testing::json_of;
 
-using nlohmann::json;
-
 TEST(FitRound, SaysBothErrorsInJson) {
-  const json fit = json_of({"fit", "fresnel-quadratic", "--round", "half"});
-  const json& rounded = fit["rounded"];
+  const nlohmann::json fit = json_of({"fit", "fresnel-quadratic", "--round", "half"});
+  const nlohmann::json& rounded = fit["rounded"];
   EXPECT_EQ(rounded["format"], "half");
   EXPECT_EQ(rounded["parameters"]["a"], -5.4921875);
   EXPECT_EQ(rounded["decimal"]["a"], "-5.492");
@@ -38,7 +36,7 @@ TEST(FitRound, SaysBothErrorsInJson) {
 
 TEST(FitRound, EveryFormat) {
   for (const char* format : {"half", "bfloat16", "float", "decimal:3"}) {
-    const json rounded = json_of({"fit", "fresnel-one-term", "--round", format})["rounded"];
+    const nlohmann::json rounded = json_of({"fit", "fresnel-one-term", "--round", format})["rounded"];
     EXPECT_EQ(rounded["format"], format);
     EXPECT_LT(rounded["max_abs_error"], rounded["naive"]["max_abs_error"]) << format;
     EXPECT_EQ(rounded["gpu_bound"].is_null(), format == std::string("decimal:3"));
@@ -58,9 +56,9 @@ TEST(FitRound, ForTheConsole) {
 
 // A sweep of the record's own exponents goes on where the format cannot hold one.
 TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
-  const json fits = json_of({"fit", "phong-blinn", "--round", "bfloat16"});
+  const nlohmann::json fits = json_of({"fit", "phong-blinn", "--round", "bfloat16"});
   EXPECT_FALSE(fits.front()["rounded"].is_null());
-  const json sweep = json_of({"fit", "sg-offset", "--round", "half"});
+  const nlohmann::json sweep = json_of({"fit", "sg-offset", "--round", "half"});
   EXPECT_FALSE(sweep.front()["rounded"].is_null());
   EXPECT_TRUE(sweep.back()["rounded"].is_null());
   EXPECT_EQ(sweep.back()["rounded_reason"], "exponent 1e+06 is not a number of half: the largest is 65504");

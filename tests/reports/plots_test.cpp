@@ -112,7 +112,7 @@ TEST(Plots, TheEndingOfTheOutputIsItsKind) {
 TEST(Plots, ATextIsDrawnAsItIs) {
   EXPECT_EQ(gnuplot_quoted("a b"), "'a b'");
   EXPECT_EQ(gnuplot_quoted("it's"), R"('it'."\047".'s')");
-  EXPECT_EQ(for_gnuplot("x_1 @ 2^3"), R"(x\_1 \@ 2\^3)");
+  EXPECT_EQ(for_gnuplot(OthersText("x_1 @ 2^3")), R"(x\_1 \@ 2\^3)");
   if (!find_gnuplot()) return;
   const testing::TemporaryDirectory directory;
   const std::string special = R"('"\`$@^_{}~#;,%a )";
@@ -130,7 +130,7 @@ TEST(Plots, ATextIsDrawnAsItIs) {
   draw("a.gnuplot", directory);
   EXPECT_EQ(read_file(directory / "printed"), texts);
   directory.file("b.gnuplot", "set terminal svg\nset output 'b.svg'\nset title " +
-                                  gnuplot_quoted(for_gnuplot(R"('x\y' @ a^b_c {d} ~e)")) +
+                                  gnuplot_quoted(for_gnuplot(OthersText(R"('x\y' @ a^b_c {d} ~e)"))) +
                                   "\nplot [0:1][0:1] 2 notitle\n");
   draw("b.gnuplot", directory);
   EXPECT_NE(read_file(directory / "b.svg").find(R"('x\y' @ a^b_c {d} ~e)"), std::string::npos);

@@ -144,7 +144,7 @@ TEST(StudyFile, ReadsTheFieldsOfASource) {
   const StudyFile file = read_study_file(
       with_cite(R"(author = ["A", "B, C"], title = "T", year = "2016", url = "https://a.org/b")"), "s.toml");
   ASSERT_TRUE(file.published[0].cite.has_value());
-  EXPECT_EQ(file.published[0].cite->authors, (std::vector<std::string>{"A", "B, C"}));
+  EXPECT_EQ(file.published[0].cite->authors, (std::vector{OthersText("A"), OthersText("B, C")}));
   EXPECT_EQ(file.published[0].cite->url, "https://a.org/b");
   EXPECT_NE(refusal_of(with_cite(R"(year = "2016")")).find("'cite' needs an author or a title"),
             std::string::npos);
