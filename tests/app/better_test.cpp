@@ -72,7 +72,7 @@ TEST(BetterCommand, OneTargetWhereOneIsNamed) {
   EXPECT_EQ(json_of({"better", "fresnel-quadratic", "--ior", "1.5"})["target"], "(1 - c)^5, f0 of n = 1.5");
   const nlohmann::json part =
       json_of({"better", "fresnel-quadratic", "--target", "schlick", "--domain", "0.25:1"});
-  EXPECT_EQ(part["domain"], (json{0.25, 1}));
+  EXPECT_EQ(part["domain"], (nlohmann::json{0.25, 1}));
 }
 
 TEST(BetterCommand, ALobeAtTheEndsOfItsExponents) {

@@ -84,7 +84,7 @@ std::string study_with(const std::function<std::string()>& any, const std::strin
 }
 
 /// What an output shows of its shape.
-using Shape = std::string;
+using OutputShape = std::string;
 
 void expect_shown(const std::string& out, const std::string& what) {
   for (std::string_view rest = out; !rest.empty();) {
@@ -110,17 +110,17 @@ std::string count_of(const std::string& text, char c) {
   return std::to_string(std::count(text.begin(), text.end(), c)) + c;
 }
 
-Shape lines_shape(const std::string& out) {
+OutputShape lines_shape(const std::string& out) {
   return count_of(out, '\n');
 }
 
 /// The numbers of tags and lines.
-Shape html_shape(const std::string& out) {
+OutputShape html_shape(const std::string& out) {
   return count_of(out, '<') + count_of(out, '>') + count_of(out, '\n');
 }
 
 /// The lines without what is escaped: of each the mark that it begins with, and its cells.
-Shape markdown_shape(const std::string& out) {
+OutputShape markdown_shape(const std::string& out) {
   std::string shape;
   for (const std::string& line : lines_in(out)) {
     std::string bare;
@@ -143,7 +143,7 @@ Shape markdown_shape(const std::string& out) {
 }
 
 /// What is outside of quotes.
-Shape gnuplot_shape(const std::string& script) {
+OutputShape gnuplot_shape(const std::string& script) {
   std::string shape;
   for (const std::string& line : lines_in(script)) {
     if (line.starts_with("#")) {
@@ -166,7 +166,7 @@ Shape gnuplot_shape(const std::string& script) {
 }
 
 /// Code without its comments, of which none goes on.
-Shape code_shape(const std::string& code) {
+OutputShape code_shape(const std::string& code) {
   std::string shape;
   for (const std::string& line : lines_in(code)) {
     const bool is_comment = line.starts_with("//");
@@ -176,7 +176,7 @@ Shape code_shape(const std::string& code) {
   return shape;
 }
 
-Shape csv_shape(const std::string& out) {
+OutputShape csv_shape(const std::string& out) {
   const CsvTable table = parse_csv(out, "out");
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -188,7 +188,7 @@ Shape csv_shape(const std::string& out) {
 }
 
 /// Cells and braces of LaTeX, entries of BibTeX.
-Shape latex_shape(const std::string& out) {
+OutputShape latex_shape(const std::string& out) {
   std::string bare;
   int depth = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -207,7 +207,7 @@ Shape latex_shape(const std::string& out) {
 }
 
 using Words = std::vector<std::string>;
-using ShapeOf = Shape (*)(const std::string&);
+using ShapeOf = OutputShape (*)(const std::string&);
 
 /// Runs a command that has to succeed, or to fail by a check.
 std::string output_of(const Words& words) {
@@ -243,7 +243,7 @@ std::vector<NamedOutput> outputs_of(const TemporaryDirectory& directory, const s
       add({"emit", study, "--lang", std::string(name(language))}, code_shape);
   }
   add({"cite", study}, latex_shape);
-  add({"list", study}, [](const std::string& text) { return Shape(text.empty() ? "" : "text"); });
+  add({"list", study}, [](const std::string& text) { return OutputShape(text.empty() ? "" : "text"); });
   add({"list", study, "--csv"}, csv_shape);
   if (!is_whole) return outputs;
   add({"explain", study}, lines_shape);
