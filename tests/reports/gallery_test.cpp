@@ -54,7 +54,7 @@ GalleryEntry parabola() {
   entry.file.published = {{.form = "line",
                            .values = {{"a", "1.00"}, {"b", "-0.05"}},
                            .source = OthersText("Doe 2020"),
-                           .where = {"doe/lines@1234 a/b: f", "doe/lines@1234 c"}}};
+                           .where = {OthersText("doe/lines@1234 a/b: f"), OthersText("doe/lines@1234 c")}}};
   return entry;
 }
 
@@ -276,8 +276,8 @@ TEST(Gallery, ExactEdgesAreKept) {
 TEST(Gallery, SaysWhyALargestErrorIsNotProven) {
   GalleryEntry entry = parabola();
   entry.file.study.over = {{"x", "", ""}};
-  entry.file.study.rows = std::make_shared<const MeasuredRows>(
-      MeasuredRows{.file = OthersText("rows.csv"), .places = {{0, 0.5, 1}}, .value = {0, 0.25, 1}, .sigma = {}});
+  entry.file.study.rows = std::make_shared<const MeasuredRows>(MeasuredRows{
+      .file = OthersText("rows.csv"), .places = {{0, 0.5, 1}}, .value = {0, 0.25, 1}, .sigma = {}});
   entry.comparisons = {compare_study(entry.file, entry.file.study)};
   prove_contenders(entry.comparisons.front());
   EXPECT_NE(judged_study(entry).page.find("Largest error, sampled: the error is known at the rows alone"),
