@@ -54,7 +54,7 @@ GalleryEntry parabola() {
   entry.file.published = {{.form = "line",
                            .values = {{"a", "1.00"}, {"b", "-0.05"}},
                            .source = OthersText("Doe 2020"),
-                           .where = {"doe/lines@1234 a/b: f", "doe/lines@1234 c"}}};
+                           .where = {OthersText("doe/lines@1234 a/b: f"), OthersText("doe/lines@1234 c")}}};
   return entry;
 }
 
