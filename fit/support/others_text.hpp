@@ -36,6 +36,7 @@ class OthersText {
     return OthersText(std::string(a)) += b;
   }
   friend auto operator<=>(const OthersText&, const OthersText&) = default;
+  friend bool operator==(const OthersText&, const OthersText&) = default;
   template <std::convertible_to<std::string_view> Ours>
   friend bool operator==(const OthersText& a, const Ours& b) {
     return a.text_ == std::string_view(b);

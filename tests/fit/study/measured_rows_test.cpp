@@ -86,7 +86,7 @@ TEST(MeasuredRows, NamesTheMeasuredColumnAndTheLines) {
   EXPECT_EQ(line_of_row(rows, 1), 3u);
   EXPECT_EQ(refusal_of_rows("#\nx,value\n1,two\n"), "'m.csv', line 3: value 'two' is not a finite number");
   EXPECT_EQ(refusal_of_rows("# 1 2\n3 4\n"),
-            "'m.csv', line 1: '1' is a number: the first line must name the columns");
+            "'m.csv', line 1: column 1 is a number: the first line must name the columns");
   EXPECT_EQ(refusal_of_rows("#\n"), "'m.csv', line 1: column 1 has no name");
 }
 
