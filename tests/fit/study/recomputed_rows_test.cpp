@@ -88,7 +88,8 @@ TEST(RecomputedRows, OfShippedTablesAgree) {
     if (!file.recompute) continue;
     ++tables;
     for (const WrongRow& wrong : recompute_rows(file.study, *file.recompute).wrong)
-      ADD_FAILURE() << file.table.unescaped() << ", row " << wrong.row << ": " << wrong.value << ", " << wrong.recomputed;
+      ADD_FAILURE() << file.table.unescaped() << ", row " << wrong.row << ": " << wrong.value << ", "
+                    << wrong.recomputed;
   }
   EXPECT_GT(tables, 0u);
 }
