@@ -95,7 +95,7 @@ void require_use(const StudyFile& file, const StudyOptions& options) {
 
 /// Whether a text beside a study can only be meant as the id of a form: a formula has a variable or an
 /// operator.
-bool is_word(const std::string& text, const Study& study) {
+bool names_a_form(const std::string& text, const Study& study) {
   const auto is_letter = [](char c) { return begins_name(c) || is_digit(c) || c == '-'; };
   if (text.empty() || !begins_name(text.front()) || !std::ranges::all_of(text, is_letter)) return false;
   return std::ranges::none_of(names_in(text), [&](const std::string& name) {
@@ -109,7 +109,7 @@ void change_form(StudyFile& file, const StudyOptions& own) {
   if (own.word && own.form)
     throw UserError(fmt::format("'{}' does not go with --form: both name a form", form));
   const auto found = std::ranges::find(file.forms, form, &StudyForm::id);
-  if (!file.id.empty() && (own.word || is_word(form, file.study))) {
+  if (!file.id.empty() && (own.word || names_a_form(form, file.study))) {
     std::vector<std::string> ids;
     for (const StudyForm& known : file.forms) ids.push_back(known.id);
     require_known(form, ids, "form of the study");

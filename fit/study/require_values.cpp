@@ -38,7 +38,7 @@ std::string first_place(const ReadStudy& study, const std::vector<double>& value
 }
 
 /// ", and acos takes -1 to 1"; empty for an operation that takes all numbers.
-std::string domain_of(const Symbolic& operation) {
+std::string numbers_taken_by(const Symbolic& operation) {
   const auto takes = [&](const char* numbers) { return ", and " + operation.name() + " takes " + numbers; };
   if (operation.kind() == Symbolic::Kind::real_power) return ", and a power takes a base of 0 or more";
   if (operation.kind() != Symbolic::Kind::function) return "";
@@ -67,7 +67,7 @@ std::string reason_of(const Symbolic& formula, const std::function<double(const 
   const double value = evaluate<double>(formula, value_of);
   if (std::isfinite(value)) return "";  // as a double; a node may be wider
   return ": " + to_text(formula.with_parts(values)) + " is " +
-         (std::isnan(value) ? "nan" : decimal(value, 6)) + domain_of(formula);
+         (std::isnan(value) ? "nan" : decimal(value, 6)) + numbers_taken_by(formula);
 }
 
 /// The same at a node, by its number.

@@ -32,7 +32,7 @@ constexpr int digits_of_a_fit = 14;
 constexpr double unit_of_a_fit = 1e-14;
 
 /// The significant digits of a printed number.
-int digits_of(std::string_view printed) {
+int significant_digits(std::string_view printed) {
   const std::string_view mantissa = printed.substr(0, printed.find_first_of("eE"));
   const std::size_t first = std::min(mantissa.find_first_of("123456789"), mantissa.size());
   return static_cast<int>(std::ranges::count_if(mantissa.substr(first), is_decimal_digit));
@@ -266,7 +266,8 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
     StudyJudgement found{verdict, tried.fits[i].words, tried.fits[i].values, tried.attempts, chance_of(i), {},
                          off[i]};
     if (verdict == Verdict::refuted) return found;
-    if (std::ranges::any_of(printed, [](const std::string& p) { return digits_of(p) > digits_of_a_fit; }))
+    if (std::ranges::any_of(printed,
+                            [](const std::string& p) { return significant_digits(p) > digits_of_a_fit; }))
       found.compared_digits = digits_of_a_fit;
     for (std::size_t k = 0; k < off.size(); ++k)
       if (off[k] == 0 && k != i) found.also.push_back(tried.fits[k].words);
