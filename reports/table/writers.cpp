@@ -149,16 +149,17 @@ bool is_largest_error(const ConsoleColumn& column) {
          (column.title.starts_with("max ") && column.title.ends_with(" error"));
 }
 
-/// What a reader came for: the constants, where they are from, and the first of the largest errors or its
-/// bounds.
+/// What a reader came for: the constants, where they are from, the first of the largest errors or its bounds,
+/// and the verdict, which goes first of these.
 bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleColumn>::iterator column) {
   return column->title == "constants" || column->title == "from" || column->title == "at most" ||
+         column->title == "verdict" ||
          (is_largest_error(*column) && std::ranges::find_if(columns, is_largest_error) == column);
 }
 
-/// What all rows are about: the verdict; of a comparison the form and what it costs.
+/// What the rows of a comparison are about: the form and what it costs.
 bool is_kept(const ConsoleColumn& column) {
-  return column.title == "verdict" || column.title == "form" || column.title == "instructions";
+  return column.title == "form" || column.title == "instructions";
 }
 
 /// The next column to drop; `columns.end()` if all must stay.

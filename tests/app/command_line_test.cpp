@@ -239,7 +239,7 @@ TEST(ListCommand, NamesEveryClaimOnce) {
         << family.info.id;
     EXPECT_EQ(parsed["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
   }
-  EXPECT_EQ(parsed["constants"].size(), claims + study_files(study_folders({})).size());
+  EXPECT_EQ(parsed["constants"].size(), claims + known_study_files(study_folders({})).size());
   EXPECT_EQ(parsed["constants"][0]["printed"], "x = 0.775") << "as printed, not as a number";
   EXPECT_TRUE(std::string(parsed["constants"][0]["source"]).starts_with("Lagarde 2012, Spherical Gaussian"));
 }
@@ -276,7 +276,8 @@ TEST(ListCommand, FiltersByVerdict) {
     return family.info.is_comparison;
   });
   const auto all = nlohmann::json::parse(run_command_line({"list", "--json"}).out)["constants"].size();
-  EXPECT_EQ(filtered + static_cast<std::size_t>(comparisons) + study_files(study_folders({})).size(), all)
+  EXPECT_EQ(filtered + static_cast<std::size_t>(comparisons) + known_study_files(study_folders({})).size(),
+            all)
       << "forms of comparison and studies are not claims";
 }
 

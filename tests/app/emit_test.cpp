@@ -211,9 +211,9 @@ TEST(Emit, ChecksSeveralFilesAndNamesEachThatIsOld) {
   const Outcome outcome = run_command_line(call);
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, call[3] + " is what would be generated now\n");
-  EXPECT_EQ(outcome.err,
-            "shadefit: " + call[2] + " is out of date: line 11 is not what shadefit generates now\n" +
-                "shadefit: " + call[4] + " is out of date: line 11 is not what shadefit generates now\n");
+  EXPECT_EQ(outcome.err, "shadefit: " + call[2] +
+                             " is out of date: line 11 is not what shadefit generates now; " + call[4] +
+                             " is out of date: line 11 is not what shadefit generates now\n");
   call.insert(call.end(), {"--format", "json"});
   const auto report = nlohmann::json::parse(run_command_line(call).out);
   EXPECT_EQ(report["findings"].size(), 2U) << report;

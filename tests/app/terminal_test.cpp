@@ -135,7 +135,7 @@ TEST(Terminal, TheConstantsAndTheLargestErrorStay) {
   const std::string better = table_of({"better", "pq-patry"});
   EXPECT_LE(widest(better), 80U);
   const std::string titles = better.substr(0, better.find('\n'));
-  for (const char* shown : {"constants", "max abs error", "verdict"})
+  for (const char* shown : {"form", "constants", "max abs error", "instructions"})
     EXPECT_NE(titles.find(shown), std::string::npos) << shown << "\n" << better;
 }
 

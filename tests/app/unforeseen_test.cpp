@@ -78,7 +78,7 @@ TEST(Outputs, AreTriedBeforeTheWork) {
        {std::vector<std::string>{"stress", "--out", "/proc/x"},
         {"run", "--out", "/proc/x"},
         {"bench", "--out", "/proc/x"},
-        {"bench", "--exhaustive", "schlick", "--out", "/proc/x"},
+        {"bench", "--exhaustive", "all", "--out", "/proc/x"},
         {"certify", "fresnel-quadratic", "--out", "/proc/x/certificate"},
         {"emit", "fresnel-quadratic", "--lang", "c", "--out", "/proc/x/code"}}) {
     int calls = 0;

@@ -27,7 +27,8 @@ bool has(const std::string& text, const std::string& part) {
 // Every id that lint prints is one that the other commands know.
 TEST(Explain, ListKnowsEachIdOfLint) {
   std::set<std::string> listed;
-  for (const auto& row : json_of({"list"})["constants"]) listed.insert(row["id"].get<std::string>());
+  const auto list = json_of({"list"});
+  for (const auto& row : list["constants"]) listed.insert(row["id"].get<std::string>());
   for (const lint::KnownSet& set : known_constants({}).sets) {
     const bool is_family = set.form.empty();  // a family is listed by its claims
     EXPECT_TRUE(listed.contains(set.id) || is_family) << set.id;

@@ -156,8 +156,11 @@ OutputShape gnuplot_shape(const std::string& script) {
       if (end == std::string::npos) return "an open quote: " + line;
       bare.replace(at, end + 1 - at, "Q");
     }
-    for (std::size_t at = 0; (at = bare.find("Q.\"\\047\".Q")) != std::string::npos;)
-      bare.replace(at, 10, "Q");
+    for (const std::string_view between : {"Q.\"\\047\".Q", "Q.\"\\n\".Q"})
+      for (std::size_t at = 0; (at = bare.find(between)) != std::string::npos;)
+        bare.replace(at, between.size(), "Q");
+    // The lines of the legend follow from the longest label.
+    if (bare.starts_with("set key on") || bare.starts_with("  keyentry with lines lc rgb Q")) continue;
     // The height of the legend follows from the longest label.
     std::erase_if(bare, [](char c) { return ('0' <= c && c <= '9') || c == '.'; });
     shape += bare + "\n";
