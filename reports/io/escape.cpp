@@ -61,8 +61,8 @@ std::string for_markdown(const OthersText& text) {
   out.erase(0, out.find_first_not_of(' '));
   const std::size_t sign = std::min(out.find_first_not_of(digits), out.size());
   const std::string_view rest = std::string_view(out).substr(sign), next = rest.substr(0, 2);
-  const bool is_item =
-      sign == 0 ? rest.find_first_of("-+=") == 0 : next == "." || next == ")" || next == ". " || next == ") ";
+  const bool is_item = sign == 0 ? next.find_first_of("-+=") == 0 && next.find_first_of(digits) != 1
+                                 : next == "." || next == ")" || next == ". " || next == ") ";
   return is_item ? out.insert(sign, "\\") : out;
 }
 

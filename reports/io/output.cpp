@@ -181,7 +181,7 @@ class FileChange : boost::noncopyable {
   const char* act() const { return fresh_.empty() ? "remove" : "write"; }
 
   /// Gives the old file a second name, so that its place is never empty. If the file system has no second
-  /// names, copies it.
+  /// names, copies or moves it.
   void keep_old() {
     std::error_code error;
     const auto status = fs::symlink_status(place_, error);
@@ -189,6 +189,7 @@ class FileChange : boost::noncopyable {
     if (fs::is_directory(status)) fail_to(act(), place_, "it is a directory");
     fs::create_hard_link(place_, kept_, error);
     if (error) fs::copy(place_, kept_, fs::copy_options::copy_symlinks, error);
+    if (error) fs::rename(place_, kept_, error);  // one that only its owner may read
     if (error) fail_to("keep the old", place_, error.message());
     has_kept_ = true;
   }

@@ -40,7 +40,7 @@ TEST(Escape, ATextHasNoMeaningInItsPlace) {
        "x_1^2 {a}"},
       {"http://a www.b", "http&#58;//a www&#46;b", "http://a www.b", "http://a www.b", "http://a www.b",
        "http://a www.b", "http://a www.b"},
-      {"=1", R"(\=1)", "=1", "=1", "=1", "=1", "'=1"},
+      {"=1", "=1", "=1", "=1", "=1", "=1", "'=1"},
       {"  - a", R"(\- a)", "  - a", "  - a", "  - a", "  - a", "  - a"},
       {"12. a\\ ", R"(12\. a\\ )", "12. a\\ ", R"(12. a\textbackslash{} )", R"(12. a\\ )", "12. a\\.",
        "12. a\\ "},

@@ -135,7 +135,7 @@ OutputShape markdown_shape(const std::string& out) {
     }
     const std::size_t sign = std::min(line.find_first_not_of("0123456789"), line.size());
     const std::string next = line.substr(sign, 2);
-    const bool is_item = sign == 0 ? next.find_first_of("-+=") == 0
+    const bool is_item = sign == 0 ? next.find_first_of("-+=") == 0 && next.find_first_of("0123456789") != 1
                                    : next == "." || next == ")" || next == ". " || next == ") ";
     shape += bare + (is_item ? "item" : "") + (line.find("://") != std::string::npos ? "link" : "") + "\n";
   }

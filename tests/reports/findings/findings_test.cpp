@@ -277,7 +277,7 @@ Suppressed:
 
 TEST(Findings, MarkdownShowsOddTextsAndLeavesRowsOut) {
   const std::string text = write_findings(odd(), FindingFormat::markdown);
-  EXPECT_NE(text.find("&lt;d&gt; &amp; \\]\\]&gt; {e} \\| \\`f\\` \\*g\\* %h, i: j\\\\x0a::error::"),
+  EXPECT_NE(text.find("&lt;d&gt; &amp; \\]\\]&gt; {e} &#124; \\`f\\` \\*g\\* %h, i: j\\\\x0a::error::"),
             std::string::npos)
       << text;
   FindingReport many = usual();
