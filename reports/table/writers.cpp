@@ -149,17 +149,16 @@ bool is_largest_error(const ConsoleColumn& column) {
          (column.title.starts_with("max ") && column.title.ends_with(" error"));
 }
 
-/// What a reader came for: the constants, where they are from, the first of the largest errors or its bounds,
-/// and the verdict, which goes first of these.
+/// What a reader came for: the constants, where they are from, and the first of the largest errors or its
+/// bounds.
 bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleColumn>::iterator column) {
   return column->title == "constants" || column->title == "from" || column->title == "at most" ||
-         column->title == "verdict" ||
          (is_largest_error(*column) && std::ranges::find_if(columns, is_largest_error) == column);
 }
 
-/// What the rows of a comparison are about: the form and what it costs.
+/// What all rows are about: the verdict; of a comparison the form and what it costs.
 bool is_kept(const ConsoleColumn& column) {
-  return column.title == "form" || column.title == "instructions";
+  return column.title == "verdict" || column.title == "form" || column.title == "instructions";
 }
 
 /// The next column to drop; `columns.end()` if all must stay.
@@ -175,6 +174,14 @@ std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& colu
     if (is_kept(*last)) continue;
     if (!is_dropped_last(columns, last)) return last;
     if (last_one == columns.end()) last_one = last;
+  }
+  const auto titled = [&](std::string_view title) {
+    return std::ranges::find(columns, title, &ConsoleColumn::title);
+  };
+  // Of a comparison the verdict and the sources go before the errors do.
+  if (titled("instructions") != columns.end()) {
+    for (const std::string_view title : {"verdict", "from"})
+      if (titled(title) != columns.end()) return titled(title);
   }
   return last_one;
 }

@@ -240,8 +240,7 @@ TEST(LintGate, NoTreeBreaksIt) {
   for (const char* format : {"json", "sarif", "junit", "github", "markdown"}) {
     const Outcome other = lint_in(folder, {"--format", format});
     EXPECT_EQ(other.exit_code, 1) << format;
-    EXPECT_NE(other.err.find("shadefit: not read: 1 binary, 1 too large, 3 links\n"), std::string::npos)
-        << other.err;
+    EXPECT_NE(other.err.find("not read: 1 binary, 1 too large, 3 links\n"), std::string::npos) << other.err;
   }
 }
 
