@@ -10,6 +10,7 @@
 #include "app/exhaustive/exhaustive.hpp"
 #include "app/exhaustive/swept_form.hpp"
 #include "app/options/bench_options.hpp"
+#include "app/output/output_file.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/probe.hpp"
 #include "bench/timing/machine.hpp"
@@ -17,7 +18,6 @@
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
-#include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/writers.hpp"
 
@@ -129,7 +129,7 @@ Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue
                   const Checkpoint& checkpoint, const Progress& progress) {
   if (options.constants)
     throw UserError("--exhaustive 'all' does not apply with --constants: it takes every set of every form");
-  require_directory(options.out);
+  const OutputFolder folder(options.out);
   // pow is measured with all that other forms need.
   const auto on = measured_device(options.device, forms::Function::pow, checkpoint);
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"}};
@@ -147,12 +147,11 @@ Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue
   const std::string device = on ? device::name_with_driver(on->device->vulkan.info()) : "";
   const File file{"errors.csv",
                   write_csv(on ? with_column(table, "device", device) : table, Precision::report)};
-  write_files(options.out, {file});
   return {beyond == 0 ? 0 : 1,
           fmt::format("{}{}\nResult: {}\n", on ? "on " + device + "\n" : "",
                       write_console(table, Precision::report, options.terminal),
                       printable((without_detours(options.out) / file.name).string())),
-          ""};
+          "", folder.prepare({file}, {}, options.force, checkpoint)};
 }
 
 }  // namespace
