@@ -54,7 +54,7 @@ struct MistypedCopy {
   OthersText replaced = {};  ///< why its source replaced it; empty: it is mistyped
 };
 
-/// A work as a bibliography has it; what is not known is empty.
+/// A work as a bibliography has it. An unknown part is empty.
 struct CitedWork {
   std::vector<OthersText> authors = {};  ///< "Surname", "Surname, Given", or the name of a group
   OthersText title = {}, year = {}, howpublished = {}, note = {};

@@ -167,7 +167,7 @@ class LiteralReader {
         if (style_ != CommentStyle::none) quote_or_comment();
         ++at_;
       }
-      // With the last sign of a comment, that is no longer open.
+      // The last sign of a long comment has closed it, and is a part of it.
       if (code_ != nullptr && (comment_ != '\0' || (was_long && c == '*'))) blank(first);
     }
     return std::move(literals_);

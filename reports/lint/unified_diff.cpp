@@ -30,7 +30,8 @@ void add_line(std::string& diff, char sign, std::string_view line) {
   if (!line.ends_with('\n')) diff += "\n\\ No newline at end of file\n";
 }
 
-/// The name of a file as git writes it: in quotes where it has a quote, a backslash or what is not shown.
+/// The name of a file as git writes it. A quote, a backslash or a character without a shape puts it in
+/// quotes.
 std::string name_in_diff(const std::string& name) {
   if (name.find_first_of("\"\\") == std::string::npos && printable(name) == name) return name;
   std::string quoted;

@@ -331,7 +331,7 @@ TEST_F(HostileText, AtRandom) {
 }
 
 TEST_F(HostileText, MakesNoFileByGnuplot) {
-  if (!find_gnuplot()) GTEST_SKIP() << "needs gnuplot";
+  if (!find_gnuplot()) GTEST_SKIP() << "without gnuplot: package gnuplot-nox";
   const fs::path before = fs::current_path();
   fs::current_path(directory_.path());
   for (const std::string& text : {hostile[0], hostile[1], hostile[2], hostile[3], hostile[4], hostile[19]}) {
