@@ -119,7 +119,6 @@ void declare_commands(CLI::App& app, Call& call) {
   add("bench", "run time against error of every form, on this machine",
       "  shadefit bench --quick --only schlick --no-plots\n"
       "  shadefit bench --quick acos-linear --no-plots\n"
-      "  shadefit bench --quick --only schlick --no-plots --compare old.json\n"
       "  shadefit bench --exhaustive schlick --range 0x3f000000:0x3f001000\n",
       declare_bench, bench_command);
   add("stress", "forms and fits where they are hardest: naive against robust in half, float and double",

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/options/bench_options.hpp"
+#include "app/device/device_commands.hpp"
 #include "bench/device/probe.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "fit/support/hex_float.hpp"

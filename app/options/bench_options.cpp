@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -12,19 +11,6 @@
 
 namespace shadefit {
 namespace {
-
-/// A width that this machine supports.
-forms::Width parse_width(const std::string& option, const std::string& text) {
-  using forms::Width;
-  const Choices<Width> all{
-      {"scalar", Width::scalar}, {"sse2", Width::sse2}, {"avx2", Width::avx2}, {"avx512", Width::avx512}};
-  const Width width = parse_choice(all)(option, text);
-  const auto here = forms::widths_here();
-  if (std::ranges::find(here, width) == here.end())
-    throw UserError(fmt::format("{} '{}' is not of this machine: its widest registers are {}", option, text,
-                                forms::name(here.back())));
-  return width;
-}
 
 /// "A:B" with bit patterns of floats in [0, 1], decimal or 0x..
 bench::Stretch parse_range(const std::string& option, const std::string& text) {
@@ -48,18 +34,6 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
                   text, bench::unit_floats.to));
 }
 
-/// Adds the options for a comparison with an older run.
-void add_comparison(CLI::App& bench, BenchOptions& options, CLI::Option* exhaustive) {
-  auto* compare = add_value(bench, "--compare", options.compare, parse_text, "OLD.json",
-                            "exit 1 if a form is slower than in OLD.json, an earlier --json; each time is "
-                            "divided by that of its target's reference in the same run")
-                      ->excludes(exhaustive);
-  add_value(bench, "--fail-above", options.fail_above, parse_percentage, "P%",
-            "with --compare: how much longer a form may take")
-      ->default_str("10%")
-      ->needs(compare);
-}
-
 }  // namespace
 
 void declare_bench(CLI::App& bench, BenchOptions& options) {
@@ -78,21 +52,9 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       ->excludes(exhaustive)
       ->excludes(study);
   bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
-  auto* json = bench
-                   .add_flag_callback(
-                       "--json", [&options] { options.format = FindingFormat::json; },
-                       "print the times as Google Benchmark does")
-                   ->excludes(exhaustive);
-  add_finding_format(bench, options.format, false)->excludes(json)->excludes(exhaustive);
-  add_comparison(bench, options, exhaustive);
+  bench.add_flag("--json", options.json, "print the rows of bench.csv as JSON")->excludes(exhaustive);
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
       ->excludes(exhaustive);
-  auto* width =
-      add_value(
-          bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
-          "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
-          "(default: sse2)")
-          ->excludes(study);
   add_value(bench, "--constants", options.constants, parse_text, "ID",
             "with --exhaustive: the constants of the form (default: its first)")
       ->needs(exhaustive);
@@ -107,7 +69,6 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
           ->needs(exhaustive);
   auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
                            "measure on a graphics device (default: the CPU)")
-                     ->excludes(width)
                      ->excludes(degree);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")

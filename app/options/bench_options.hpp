@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "app/options/finding_format.hpp"
 #include "app/options/outcome.hpp"
 #include "app/terminal/progress.hpp"
 #include "bench/exhaustive/float_errors.hpp"
-#include "bench/forms/kernel.hpp"
 #include "reports/table/writers.hpp"
+
+namespace CLI {
+class App;
+}
 
 /// The command `bench`.
 namespace shadefit {
@@ -22,11 +24,8 @@ struct BenchOptions {
   std::vector<std::string> only = {};  ///< ids of targets
   bool force = false;                  ///< as in `RunOptions`
   bool quick = false;
-  FindingFormat format = FindingFormat::text;  ///< json: the times, as Google Benchmark prints them
-  std::optional<std::string> compare = {};     ///< a file of `bench --json`
-  double fail_above = 0.1;                     ///< how much longer a form may take than there: 0.1 is 10 %
+  bool json = false;
   bool no_plots = false;
-  std::optional<forms::Width> width = {};
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
   std::optional<std::string> constants = {};   ///< of that form; the options below are for it too
   int exp2_degree = 0;                         ///< 0: the library's exp2
@@ -42,14 +41,8 @@ struct BenchOptions {
 /// Declares its options.
 void declare_bench(CLI::App& bench, BenchOptions& options);
 
-/// Measures times, or with --exhaustive compares every float.
+/// Measures times, or does what --exhaustive, --list-devices or --probe asks for.
 Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-
-/// `bench --list-devices`: a line for each device.
-Outcome list_devices_command(const BenchOptions& options);
-
-/// `bench --probe`: the errors of the functions of a device.
-Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint);
 
 /// `bench --exhaustive`.
 Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,

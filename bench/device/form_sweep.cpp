@@ -12,12 +12,12 @@ namespace {
 
 /// A form on a device, with its bound.
 struct SweptForm {
-  SweptForm(std::shared_ptr<SweptDevice> shared, const FormFunction& form, const GpuModel& model)
+  SweptForm(std::shared_ptr<SweptDevice> shared, const ShaderFunction& form, const GpuModel& model)
       : device(std::move(shared)),
-        evaluator(device->vulkan, compiler, form.function, ShaderLanguage::glsl, Arguments::patterns),
-        in_double(form.function),
+        evaluator(device->vulkan, compiler, form, ShaderLanguage::glsl, Arguments::patterns),
+        in_double(form),
         panels(unit_panels()),
-        bounds(bounds_on(panels, form.function, model)) {}
+        bounds(bounds_on(panels, form, model)) {}
 
   std::shared_ptr<SweptDevice> device;
   ShaderCompiler compiler;
@@ -30,7 +30,7 @@ struct SweptForm {
 }  // namespace
 
 void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> shared,
-                     const FormFunction& form, const GpuModel& model) {
+                     const ShaderFunction& form, const GpuModel& model) {
   const auto swept = std::make_shared<SweptForm>(std::move(shared), form, model);
   subject.prepare = [swept](const bench::Stretch& stretch) {
     SweptDevice& device = *swept->device;
@@ -57,10 +57,6 @@ void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> 
       radius[i] = swept->bounds[static_cast<std::size_t>(next - panels.begin()) - 1];
     }
   };
-}
-
-std::vector<double> numbers_of(const GpuModel& model) {
-  return {model.exp2_ulps, model.log2_ulps, model.log2_near_one, model.quotient_ulps, model.root_ulps};
 }
 
 }  // namespace shadefit::device

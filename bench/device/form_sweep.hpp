@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "bench/device/form_functions.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "bench/exhaustive/float_errors.hpp"
 #include "fit/scalars/gpu_model.hpp"
+#include "reports/code/shader_code.hpp"
 
 /// Evaluates a form at every float on a device.
 namespace shadefit::device {
@@ -26,9 +26,6 @@ struct SweptDevice {
 /// device's functions. The subject's floats lie in [0, 1]. Several forms may share a device, if each is
 /// prepared and looked at before the next.
 void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> device,
-                     const FormFunction& form, const GpuModel& model);
-
-/// The numbers of a model; they are part of a sweep's identity.
-std::vector<double> numbers_of(const GpuModel& model);
+                     const ShaderFunction& form, const GpuModel& model);
 
 }  // namespace shadefit::device

@@ -31,14 +31,6 @@ int place_of(double x) {
   return bits < 0 ? INT16_MIN - bits : bits;
 }
 
-std::vector<double> truth_at(std::vector<float> cosines, const TruthOfCosines& truth) {
-  constexpr std::size_t step = 64;
-  cosines.resize((cosines.size() + step - 1) / step * step, cosines.back());
-  std::vector<double> values(cosines.size());
-  truth(cosines.data(), values.data(), cosines.size());
-  return values;
-}
-
 /// Of each cosine a bound of the distance between a form and its real value.
 std::vector<double> bounds_at(const std::vector<float>& cosines, const ShaderFunction& function,
                               const GpuModel& model) {
@@ -60,43 +52,35 @@ void require_half(const DeviceInfo& info) {
   if (!info.has_half) throw UserError("device '" + info.name + "' has no arithmetic in half");
 }
 
-HalfErrors errors_in_half(VulkanDevice& device, const ShaderFunction& function, const TruthOfCosines& truth,
-                          const GpuModel& model) {
+bench::FloatErrors errors_in_half(VulkanDevice& device, const ShaderFunction& function,
+                                  const TruthOfCosines& truth, const GpuModel& model) {
   require_half(device.info());
   const std::vector<float> cosines = unit_halves();
-  const std::vector<double> exact = truth_at(cosines, truth);
+  std::vector<double> exact(cosines.size());
+  truth(cosines.data(), exact.data(), cosines.size());
   const ShaderCompiler compiler;
   Evaluator evaluator(device, compiler, function, ShaderLanguage::glsl, Arguments::input,
                       ShaderPrecision::float16);
   const auto results = evaluator.of_input(cosines);
   const FormInDouble in_double(function, ShaderPrecision::float16);
   const std::vector<double> bounds = bounds_at(cosines, function, model);
-  HalfErrors found;
+  bench::FloatErrors found;
   for (std::size_t i = 0; i < cosines.size(); ++i) {
     const auto c = static_cast<double>(cosines[i]);
-    const auto result = static_cast<double>(std::bit_cast<float>(results[i]));
+    const auto result = std::bit_cast<float>(results[i]);
+    const auto at = std::bit_cast<std::uint32_t>(cosines[i]);
     double real = 0;
     in_double(std::array{&c}, &real, 1);
     if (!std::isfinite(bounds[i])) {
       ++found.unbounded;
-    } else if (!(std::abs(result - real) <= bounds[i])) {
-      found.beyond.push_back(c);
+    } else if (!(std::abs(static_cast<double>(result) - real) <= bounds[i])) {
+      found.note_beyond(at);
     }
-    ++found.count;
     if (std::isnan(result)) {
       ++found.nans;
-      continue;
-    }
-    const double error = std::abs(result - exact[i]);
-    const auto ulps = static_cast<std::uint32_t>(std::abs(place_of(result) - place_of(exact[i])));
-    ++found.ulps[static_cast<std::size_t>(std::bit_width(ulps))];
-    if (error > found.max_abs_error) {
-      found.max_abs_error = error;
-      found.max_abs_error_at = c;
-    }
-    if (ulps > found.max_ulps) {
-      found.max_ulps = ulps;
-      found.max_ulps_at = c;
+    } else {
+      const int steps = std::abs(place_of(static_cast<double>(result)) - place_of(exact[i]));
+      found.note(at, result, exact[i], static_cast<std::uint32_t>(steps));
     }
   }
   return found;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 /// Compares a form at every float of a stretch with the reference rounded to float.
 namespace shadefit::bench {
@@ -13,7 +14,6 @@ namespace shadefit::bench {
 struct Stretch {
   std::uint32_t from, to;
   std::uint64_t size() const { return to > from ? to - from : 0; }
-  bool operator==(const Stretch&) const = default;
 };
 
 /// Every float in [0, 1]: 1 065 353 217 of them.
@@ -32,44 +32,45 @@ inline std::uint32_t float_steps(float a, float b) {
   return static_cast<std::uint32_t>(steps < 0 ? -steps : steps);
 }
 
-/// The errors on a stretch. All members are counts or maxima, so the result does not depend on the pieces and
-/// the order of the work. Of equal maxima the smallest input is kept.
+/// The errors on a stretch, of floats or of halves; places are the bit patterns of floats. Of equal maxima
+/// the smallest place is kept.
 struct FloatErrors {
   /// |form - reference|, rounded to float, so that the last bit of a library's pow does not matter.
   float max_abs_error = 0;
-  std::uint32_t max_abs_error_at = UINT32_MAX;  ///< a bit pattern; UINT32_MAX: no input was tested
-  std::uint32_t max_ulps = 0;                   ///< floats between the form and the truth rounded to float
-  std::uint32_t max_ulps_at = UINT32_MAX;
+  std::uint32_t max_abs_error_at = 0;
+  std::uint32_t max_ulps = 0;  ///< numbers of the format between the form and the truth rounded to it
+  std::uint32_t max_ulps_at = 0;
   std::array<std::uint64_t, 33> ulps{};  ///< [0]: none; [i]: 2^(i-1) to 2^i - 1
   std::uint64_t nans = 0, above_one = 0, below_zero = 0;
-  /// Results beyond the bound, and the smallest of their inputs in order. UINT32_MAX: no more.
-  std::uint64_t beyond = 0;
-  std::array<std::uint32_t, 8> beyond_at{UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX,
-                                         UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
+  std::uint64_t unbounded = 0;             ///< of halves: places where a device has no bound
+  std::uint64_t beyond = 0;                ///< results beyond the bound of a device
+  std::vector<std::uint32_t> beyond_at{};  ///< the places of the first of them, at most `most_places`
+  static constexpr std::size_t most_places = 8;
   bool operator==(const FloatErrors&) const = default;
 
   /// The number of tested inputs.
   std::uint64_t count() const;
+
+  /// Notes a result that is a number.
+  void note(std::uint32_t at, float value, double truth, std::uint32_t steps);
+  void note_beyond(std::uint32_t at);
 };
 
-/// Adds the errors on another stretch.
-void include(FloatErrors& into, const FloatErrors& more);
-
-/// The form and its reference. Both take `count` floats, a multiple of 64, in rising order, and are called by
-/// several threads at once.
+/// The form and its reference. Both take `count` floats in rising order, and are called by several threads at
+/// once.
 struct FloatSubject {
   std::function<void(const float* in, float* out, std::size_t count)> form;
   std::function<void(const float* in, double* out, std::size_t count)> truth;
   /// Where the form has to be: within `radius` of `middle`. Empty: anywhere.
   std::function<void(const float* in, double* middle, double* radius, std::size_t count)> bound = {};
-  /// Called by one thread before `errors_on` looks at the floats of a stretch. Empty: nothing to prepare.
+  /// Called by one thread before the floats of a stretch are looked at. Empty: nothing to prepare.
   std::function<void(const Stretch&)> prepare = {};
 };
 
-/// The errors on a stretch.
-FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch);
-
-/// The same on several threads, at least one. Rethrows an exception of a thread.
-FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch, unsigned threads);
+/// The errors on a stretch, on all cores. `between` gets the finished share, and may end the work by
+/// throwing.
+FloatErrors errors_on(
+    const FloatSubject& subject, const Stretch& stretch,
+    const std::function<void(double share)>& between = [](double) {});
 
 }  // namespace shadefit::bench

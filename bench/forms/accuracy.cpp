@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/forms/catalogue.hpp"
-#include "bench/forms/compiled.hpp"
-#include "bench/forms/library_kernels.hpp"
-#include "bench/forms/pairing.hpp"
+#include "bench/forms/kernels.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/support/decimal.hpp"
 
 namespace shadefit::forms {
 namespace {
-
-/// A multiple of the block of every kernel.
-constexpr std::size_t block = 64;
 
 /// The inputs of the forms.
 struct Grid {
@@ -33,9 +26,10 @@ struct Grid {
     in[2].push_back(z);
     codes.push_back(code);
   }
-  /// Fills the last block with copies of the last place.
+  /// The last place counts several times, up to a multiple of 64 places: the table's rms errors have this
+  /// weight.
   void fill() {
-    while (size() % block != 0) add(in[0].back(), in[1].back(), in[2].back(), codes.back());
+    while (size() % 64 != 0) add(in[0].back(), in[1].back(), in[2].back(), codes.back());
   }
 };
 
@@ -44,8 +38,8 @@ Grid grid_of(const Target& target) {
   Grid grid;
   if (target.arguments == Arguments::normal_to_lights) {
     constexpr std::size_t normals = 1024;
-    // besides the lights' own directions
-    constexpr std::size_t first = most_lights;
+    // besides the directions of the most lights of a target
+    constexpr std::size_t first = 64;
     for (std::size_t i = 0; i < normals; ++i) {
       const auto n = spread_direction(first + i);
       grid.add(n[0], n[1], n[2]);
@@ -150,13 +144,6 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
   return errors;
 }
 
-/// The first cells of a row, and the proven bounds.
-struct Row {
-  const FormEntry& form;
-  const Constants& constants;
-  std::optional<Pairing> pairing;
-};
-
 std::string values_of(const Constants& constants) {
   std::string text;
   for (const NamedNumber& number : constants.numbers)
@@ -164,61 +151,41 @@ std::string values_of(const Constants& constants) {
   return text;
 }
 
-const LibraryForm& library_form(std::string_view id) {
-  return *std::ranges::find(library_forms(), id, &LibraryForm::form);
-}
-
-void append_row(Table& table, const Row& row, std::string_view arithmetic, int degree, const Errors& errors) {
+void append_row(Table& table, const FormEntry& form, const Constants& constants, std::string_view arithmetic,
+                int degree, const Errors& errors) {
   // Sampled errors are the same on every machine to all digits; these are enough for a reader.
-  constexpr int digits = 6, few = 3, of_bounds = 4;
+  constexpr int digits = 6, few = 3;
   const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
-  const auto bound = [](double value) {
-    return Cell(Number{constant<double>(decimal_above(value, of_bounds)), of_bounds});
-  };
   std::string exp2;
-  if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
-  const bool is_paired = row.pairing && row.pairing->degree == degree;
-  const bool is_float = arithmetic == "float";
-  table.rows.push_back(
-      {std::string(row.form.target), std::string(row.form.id), row.constants.id, values_of(row.constants),
-       exp2, std::string(arithmetic), number(errors.absolute, digits),
-       row.form.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, digits),
-       number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
-       number(errors.codes, few), row.pairing ? bound(row.pairing->own_upper) : Cell(),
-       row.pairing ? bound(row.pairing->totals[static_cast<std::size_t>(degree)]) : Cell(),
-       row.pairing && row.pairing->rounding && is_float ? bound(*row.pairing->rounding) : Cell(),
-       row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
+  if (form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
+  table.rows.push_back({std::string(form.target), std::string(form.id), constants.id, values_of(constants),
+                        exp2, std::string(arithmetic), number(errors.absolute, digits),
+                        form.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, digits),
+                        number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
+                        number(errors.codes, few)});
 }
 
 void append(Table& table, const Target& target, const Catalogue& all, const Checkpoint& checkpoint) {
   const Grid grid = grid_of(target);
-  const Kernel<long double> exact = library_form(reference_of(all, target.id).id).in_long_double;
+  const Kernel<long double> exact = find_kernels(reference_of(all, target.id).id)->in_long_double;
   const Places<Eigen::half> halves(grid, target, exact);
   const Places<float> floats(grid, target, exact);
   const Places<double> doubles(grid, target, exact);
   for (const FormEntry& form : all.forms) {
     if (form.target != target.id) continue;
     for (const Constants& constants : form.constants) {
-      checkpoint();
-      const Row row{form, constants, pair_exp2(target, form.id, constants, checkpoint)};
-      const LibraryForm& library = library_form(form.id);
       const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic, int degree) {
+        if (kernel == nullptr) return;
         checkpoint();
-        append_row(table, row, arithmetic, degree, errors_of(places, places.results(kernel, constants)));
+        append_row(table, form, constants, arithmetic, degree,
+                   errors_of(places, places.results(kernel, constants)));
       };
-      add(doubles, library.in_double, "double", 0);
-      add(floats, library.in_float, "float", 0);
-      add(halves, library.in_half, "half", 0);
-      for (const CompiledForm& compiled : Tables::sse2) {
-        if (compiled.form != form.id || compiled.exp2_degree != 0 || form.function == Function::none)
-          continue;
-        add(doubles, compiled.in_double, "double SSE2", 0);
-        add(floats, compiled.in_float, "float SSE2", 0);
-      }
-      for (const CompiledForm& compiled : Tables::scalar) {
-        if (compiled.form != form.id || compiled.exp2_degree == 0) continue;
-        if (compiled.in_double != nullptr) add(doubles, compiled.in_double, "double", compiled.exp2_degree);
-        add(floats, compiled.in_float, "float", compiled.exp2_degree);
+      for (const FormKernels& kernels : all_kernels()) {
+        if (kernels.form != form.id) continue;
+        const bool is_library = kernels.exp2_degree == 0;
+        add(doubles, is_library ? kernels.exact_double : kernels.in_double, "double", kernels.exp2_degree);
+        add(floats, is_library ? kernels.exact_float : kernels.in_float, "float", kernels.exp2_degree);
+        add(halves, kernels.in_half, "half", kernels.exp2_degree);
       }
     }
   }
@@ -229,8 +196,7 @@ void append(Table& table, const Target& target, const Catalogue& all, const Chec
 Table accuracy_table(const Checkpoint& checkpoint, const std::function<void(double share)>& progress) {
   const Catalogue all = catalogue();
   Table table{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
-                          "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes",
-                          "own_error", "total_error", "rounding_error", "paired"},
+                          "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes"},
               .rows = {}};
   for (const Target& target : all.targets) {
     progress(static_cast<double>(&target - all.targets.data()) / static_cast<double>(all.targets.size()));

@@ -249,13 +249,7 @@ struct PhongGaussian : FormOf<Arguments::normal_to_lights, 5, Function::exp2> { 
   auto operator()(const auto& normal, const auto& p) const { return highlight_by_exp2(normal, p); }
 };
 
-/// The reference for every time: a copy of the array.
-struct Copy : AsGiven<0, Function::none> {
-  static constexpr const char* id = "copy";
-  auto operator()(const auto& c, const auto&) const { return c; }
-};
-
-/// Sixteen multiply-adds, each of which waits for the one before: the reference for arithmetic. A polynomial
+/// Sixteen multiply-adds, each of which waits for the one before: the unit of every time. A polynomial
 /// of degree 16 by Horner's rule, from [0, 1] to [0, 1].
 struct MultiplyAdds : AsGiven<0, Function::none> {
   static constexpr const char* id = "multiply-adds";
@@ -277,12 +271,12 @@ struct MultiplyAdds : AsGiven<0, Function::none> {
 template <class... Forms>
 struct FormList {};
 
-/// All of them, target by target.
-using AllForms = FormList<Copy, MultiplyAdds, LobePower, LobeExp2Log2, LobeSquarings, LobeGaussian,
-                          LobeGaussianOfDifference, LobeScaledGaussian, LobeBlinn, GlossPower, GlossGaussian,
-                          SchlickPower, SchlickMultiplied, FresnelOneTermForm, FresnelQuadraticForm,
-                          FresnelCubicForm, FresnelQuarticForm, FresnelFourthForm, FresnelSquareForm,
-                          FresnelRationalForm, HenyeyGreensteinPower, HenyeyGreensteinRoot, SchlickPhase,
-                          PhongPower, PhongSquarings, PhongGaussian>;
+/// The forms of the catalogue, target by target.
+using AllForms =
+    FormList<LobePower, LobeExp2Log2, LobeSquarings, LobeGaussian, LobeGaussianOfDifference,
+             LobeScaledGaussian, LobeBlinn, GlossPower, GlossGaussian, SchlickPower, SchlickMultiplied,
+             FresnelOneTermForm, FresnelQuadraticForm, FresnelCubicForm, FresnelQuarticForm,
+             FresnelFourthForm, FresnelSquareForm, FresnelRationalForm, HenyeyGreensteinPower,
+             HenyeyGreensteinRoot, SchlickPhase, PhongPower, PhongSquarings, PhongGaussian>;
 
 }  // namespace shadefit::forms

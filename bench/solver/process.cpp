@@ -1,6 +1,12 @@
 #include <benchmark/benchmark.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,19 +16,48 @@
 #include <vector>
 
 #include "approx/fresnel.hpp"
-#include "bench/peers/run.hpp"
 #include "bench/solver/benchmarks.hpp"
 #include "reports/io/scratch_directory.hpp"
 
 namespace shadefit::bench {
 namespace {
 
+/// A finished process.
+struct Finished {
+  bool is_well;    ///< exit code 0
+  double seconds;  ///< from its start to its end, by the clock
+  /// The largest resident set, in 10^6 bytes. Linux includes the memory of this process at the start in the
+  /// peak of its child. So the peak is an upper bound, and exact if the child becomes larger than its parent.
+  double peak_mb;
+};
+
+/// Runs a program, found by PATH, to its end, without input and output.
+Finished run(std::vector<std::string> arguments) {
+  std::vector<char*> argv;
+  for (std::string& text : arguments) argv.push_back(text.data());
+  argv.push_back(nullptr);
+  ::posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", O_RDWR, 0);
+  const auto start = std::chrono::steady_clock::now();
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, argv.front(), &actions, nullptr, argv.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  rusage usage{};
+  const bool has_ended = error == 0 && ::wait4(child, &status, 0, &usage) == child;
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {has_ended && WIFEXITED(status) && WEXITSTATUS(status) == 0, time.count(),
+          static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
+}
+
 /// Times the processes of a program, each with the arguments that `arguments` makes for it.
 template <class Arguments>
 void measure(benchmark::State& state, const Arguments& arguments) {
   double peak = 0;
   for (auto _ : state) {
-    const side_by_side::Finished finished = side_by_side::run(arguments());
+    const Finished finished = run(arguments());
     if (!finished.is_well) {
       state.SkipWithError("the command failed");
       break;
@@ -105,7 +140,7 @@ void register_command(const char* name, Measure measure, Arguments... arguments)
 void register_process() {
   register_command("process/run-no-plots", measure_run);
   register_command("process/lint", measure_lint, false);
-  if (side_by_side::run({"rg", "--version"}).is_well)
+  if (run({"rg", "--version"}).is_well)
     register_command("process/lint/ripgrep", measure_lint, true);
   else
     std::fputs("process/lint/ripgrep is left out: rg is not installed\n", stderr);

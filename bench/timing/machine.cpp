@@ -1,28 +1,10 @@
 #include "bench/timing/machine.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <thread>
 
 namespace shadefit::bench {
-namespace {
-
-std::string compiler() {
-#if defined(__clang__)
-  return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
-#elif defined(__GNUC__)
-  return fmt::format("gcc {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
-#else
-  return "unknown";
-#endif
-}
-
-}  // namespace
 
 std::string cpu_name(const std::string& cpuinfo) {
   std::istringstream lines(cpuinfo);
@@ -36,12 +18,9 @@ std::string cpu_name(const std::string& cpuinfo) {
   return "unknown";
 }
 
-Machine this_machine() {
+std::string this_cpu() {
   std::ifstream file("/proc/cpuinfo");
-  const std::string cpuinfo(std::istreambuf_iterator<char>(file), {});
-  const long cache = ::sysconf(_SC_LEVEL3_CACHE_SIZE);
-  return {cpu_name(cpuinfo), compiler(), std::max(std::thread::hardware_concurrency(), 1U),
-          cache > 0 ? static_cast<std::size_t>(cache) : 0};
+  return cpu_name(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 }  // namespace shadefit::bench

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <numeric>
 
 namespace shadefit::bench {
@@ -13,22 +12,16 @@ void sample(const Work& work, Samples& samples, const Clock& clock) {
   // An eighth of a visit restores caches and branch prediction. A core that slows down for wide registers
   // does so within it.
   for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
-  const Instant before = clock();
+  const double before = clock();
   for (long i = 0; i < samples.calls; ++i) work.once();
-  const Instant after = clock();
   const double to_ns = 1e9 / (static_cast<double>(samples.calls) * static_cast<double>(work.elements));
-  samples.real.push_back((after.real - before.real) * to_ns);
-  samples.cpu.push_back((after.cpu - before.cpu) * to_ns);
+  samples.ns.push_back((clock() - before) * to_ns);
 }
 
 }  // namespace
 
-Instant now() {
-  const auto real = std::chrono::steady_clock::now().time_since_epoch();
-  std::timespec cpu{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &cpu);
-  return {std::chrono::duration<double>(real).count(),
-          static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec)};
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 std::vector<std::size_t> visits(int round, std::size_t count) {
@@ -41,9 +34,9 @@ std::vector<std::size_t> visits(int round, std::size_t count) {
 long calls_that_take(const Work& work, double seconds, const Clock& clock) {
   constexpr long most = 1L << 30;
   for (long calls = 1;; calls *= 2) {
-    const double before = clock().real;
+    const double before = clock();
     for (long i = 0; i < calls; ++i) work.once();
-    if (clock().real - before >= seconds || calls >= most) return calls;
+    if (clock() - before >= seconds || calls >= most) return calls;
   }
 }
 

@@ -12,16 +12,11 @@
 /// resolution of the clock does not matter.
 namespace shadefit::bench {
 
-/// A moment, in seconds since the clock's origin.
-struct Instant {
-  double real;  ///< by a steady clock
-  double cpu;   ///< processor time of this thread
-};
+/// Seconds since the clock's origin.
+using Clock = std::function<double()>;
 
-using Clock = std::function<Instant()>;
-
-/// The steady clock and the thread's processor time.
-Instant now();
+/// The steady clock.
+double now();
 
 /// Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
 inline void keep(const void* memory) {
@@ -42,9 +37,8 @@ struct TimingPlan {
 
 /// The times of one piece of work.
 struct Samples {
-  long calls = 0;            ///< within a visit
-  std::vector<double> real;  ///< ns per element, one number per round
-  std::vector<double> cpu;
+  long calls = 0;          ///< within a visit
+  std::vector<double> ns;  ///< per element, one number per round
 };
 
 /// The places of `count` pieces of work in the order in which a round visits them: every other round

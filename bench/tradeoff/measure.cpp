@@ -1,203 +1,181 @@
 #include "bench/tradeoff/measure.hpp"
 
-#include <algorithm>
-#include <map>
-#include <memory>
-#include <tuple>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <deque>
+#include <type_traits>
 #include <utility>
 
-#include "bench/timing/workload.hpp"
+#include "approx/exp2_polynomial.hpp"
+#include "bench/tradeoff/compiled_code.hpp"
+#include "fit/scalars/symbolic.hpp"
 
 namespace shadefit::bench {
 namespace {
 
-/// A timed kernel, without its constants: the common part of its rows.
-struct Timed {
-  TimedForm row;
-  const forms::FormEntry* form;  ///< null: a floor
+/// Calls a function for every element of arrays. The type is the same for any number of variables.
+using Loop = void (*)(const float* const* in, float* out, long size);
+
+/// A function of the code.
+struct TimedFunction {
+  ShaderFunction function;
+  int exp2_degree;
+  std::size_t arrays;  ///< the place of its arrays
 };
 
-/// Long arrays, and the start of the next call.
-template <class Real>
-struct Memory {
-  Workload<Real> arrays;
-  std::size_t next = 0;
-
-  forms::Arrays<Real> slice() {
-    const std::size_t first = next;
-    next = (next + memory_slice) % (arrays.size() / memory_slice * memory_slice);
-    return arrays.slice(first, memory_slice);
-  }
-};
-
-/// The arrays of all targets of a precision, made when they are first needed. Targets with the same inputs
-/// share them. Long arrays, of which there should be few, hold cosines in [0, 1] and codes, or normals.
-template <class Real>
-class Workloads {
- public:
-  explicit Workloads(std::size_t last_cache) : bytes_(memory_bytes(last_cache)) {}
-
-  std::shared_ptr<Workload<Real>> in_cache(const forms::Target& target) {
-    auto& found = near_[{target.arguments, target.from, target.to}];
-    if (!found) {
-      found = std::make_shared<Workload<Real>>(target, first_cache_elements(target.arguments, sizeof(Real)));
-    }
-    return found;
-  }
-  std::shared_ptr<Memory<Real>> in_memory(const forms::Target& target) {
-    const bool has_normals = target.arguments == forms::Arguments::normal_to_lights;
-    auto& found = far_[has_normals];
-    if (!found) {
-      const forms::Target like{
-          .id = {},
-          .text = {},
-          .arguments = has_normals ? forms::Arguments::normal_to_lights : forms::Arguments::cosine_and_code,
-          .parameters = {}};
-      const std::size_t size = bytes_ / sizeof(Real) / (has_normals ? 2 : 1);
-      found = std::make_shared<Memory<Real>>(Memory<Real>{Workload<Real>(like, size)});
-    }
-    return found;
-  }
-
- private:
-  std::size_t bytes_;
-  std::map<std::tuple<forms::Arguments, double, double>, std::shared_ptr<Workload<Real>>> near_;
-  std::map<bool, std::shared_ptr<Memory<Real>>> far_;
-};
-
-template <class Real>
-Work work_of(forms::Kernel<Real> kernel, const forms::Target& target, std::vector<Real> parameters,
-             DataPlace place, Workloads<Real>& workloads) {
-  if (place == DataPlace::first_cache) {
-    const auto arrays = workloads.in_cache(target);
-    const std::size_t size = arrays->size();
-    return {[=] {
-              const auto all = arrays->slice(0, size);
-              kernel(all, parameters);
-              keep(all.out);
-            },
-            size};
-  }
-  const auto memory = workloads.in_memory(target);
-  return {[=] {
-            const auto slice = memory->slice();
-            kernel(slice, parameters);
-            keep(slice.out);
-          },
-          memory_slice, false};
+template <int degree>
+std::string polynomial_code() {
+  using Limits = ExponentLimits<float>;
+  const std::array near_zero{ShaderFunction{
+      fmt::format("near_zero_{}", degree),
+      {"r"},
+      exp2_near_zero(Symbolic::variable("r"), exp2_coefficients<Exp2Choice<degree, float>, Symbolic>())}};
+  return shader_code(near_zero, Language::c, ShaderPrecision::float32, {}) +
+         fmt::format(
+             "static inline float exp2_degree_{0}(float x) {{\n"
+             "  const float above = x < {1}.0f ? {1}.0f : x, within = {2}.0f < above ? {2}.0f : above;\n"
+             "  const float shifted = within + {3}.0f;\n"
+             "  union {{ float number; unsigned bits; }} whole, result;\n"
+             "  whole.number = shifted;\n"
+             "  result.number = near_zero_{0}(within - (shifted - {3}.0f));\n"
+             "  result.bits += whole.bits << {4};\n"
+             "  return result.number;\n}}\n",
+             degree, static_cast<int>(Limits::least), static_cast<int>(Limits::largest),
+             static_cast<int>(Limits::rounder), Limits::mantissa_bits);
 }
 
-/// The timed work, in the order of the catalogue.
-class Programme {
+/// The loop that calls a function.
+std::string loop_of(const ShaderFunction& function) {
+  std::string arguments;
+  for (std::size_t i = 0; i < function.arguments.size(); ++i)
+    arguments += fmt::format("{}in[{}][i]", i == 0 ? "" : ", ", i);
+  return fmt::format(
+      "void loop_{0}(const float* const* in, float* out, long size) {{\n"
+      "  for (long i = 0; i < size; ++i) out[i] = {0}({1});\n}}\n",
+      function.name, arguments);
+}
+
+/// The functions with an exp2 of that degree, and their loops.
+std::string code_with_exp2(int degree, const std::vector<TimedFunction>& timed) {
+  std::vector<ShaderFunction> functions;
+  std::string loops;
+  for (const TimedFunction& one : timed) {
+    if (one.exp2_degree != degree) continue;
+    functions.push_back(one.function);
+    loops += loop_of(one.function);
+  }
+  if (functions.empty()) return "";
+  const std::string code = shader_code(functions, Language::c, ShaderPrecision::float32, {}) + loops;
+  if (degree == 0) return code;
+  return fmt::format("{}#define exp2f exp2_degree_{}\n{}#undef exp2f\n", exp2_in_c(degree), degree, code);
+}
+
+std::string code_of(const std::vector<TimedFunction>& timed) {
+  // The name of the compiler is its own.
+  std::string code =
+      "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
+      "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
+  code += code_with_exp2(0, timed);
+  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree)
+    code += code_with_exp2(degree, timed);
+  return code;
+}
+
+/// Arrays that fit into the first cache together. The points cover the ranges of the arguments evenly but
+/// unsorted: an additive recurrence. Its steps are the powers of 1/x with x^(n+1) = x + 1, which generalise
+/// the golden ratio (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences",
+/// extremelearning.com.au).
+class FilledArrays {
  public:
-  Programme(const forms::Catalogue& catalogue, const WantedForms& wanted, std::size_t last_cache)
-      : has_little_memory_(wanted.has_little_memory), floats_(last_cache), doubles_(last_cache) {
-    for (const forms::Width width : wanted.widths) {
-      const auto compiled = forms::compiled_forms(width);
-      for (const char* floor : {forms::Copy::id, forms::MultiplyAdds::id})
-        add_all(compiled, floor, catalogue.targets.front(), nullptr, width);
-      for (const forms::FormEntry& form : catalogue.forms) {
-        if (forms::is_wanted(wanted.targets, form.target))
-          add_all(compiled, form.id, forms::target_of(catalogue, form.target), &form, width);
+  explicit FilledArrays(const std::vector<Range>& ranges) {
+    // Half of 32 KiB, the smallest cache of x86-64 processors of the last decade, so that other data fit too.
+    constexpr std::size_t bytes = 16 * 1024;
+    size_ = bytes / (sizeof(float) * (ranges.size() + 1)) / 64 * 64;
+    // Each array has another offset in its page; otherwise loads would wait for stores.
+    stride_ = (size_ + 1023) / 1024 * 1024 + 128;
+    memory_.resize((ranges.size() + 1) * stride_);
+    double root = 2;
+    for (int i = 0; i < 50; ++i) root = std::pow(1 + root, 1 / static_cast<double>(ranges.size() + 1));
+    double step = 1;
+    for (const Range& range : ranges) {
+      step /= root;
+      float* const array = &memory_[in_.size() * stride_];
+      for (std::size_t i = 0; i < size_; ++i) {
+        const double share = std::fmod(step * static_cast<double>(i + 1), 1.0);
+        array[i] = static_cast<float>(range.from + share * (range.to - range.from));
       }
+      in_.push_back(array);
     }
   }
 
-  std::vector<Timed> timed;
-  std::vector<Work> work;
+  Work work(Loop loop) {
+    float* const out = &memory_[in_.size() * stride_];
+    return {[=, this] {
+              loop(in_.data(), out, static_cast<long>(size_));
+              keep(out);
+            },
+            size_};
+  }
 
  private:
-  /// Every version of a form at a width.
-  void add_all(std::span<const forms::CompiledForm> compiled, std::string_view id,
-               const forms::Target& target, const forms::FormEntry* form, forms::Width width) {
-    for (const forms::CompiledForm& version : compiled) {
-      if (version.form != id) continue;
-      const auto given =
-          form == nullptr ? std::vector<double>{} : forms::parameters_of(target, form->constants.front());
-      add(version, version.in_float, target, form, given, width, DataPlace::first_cache, floats_);
-      add(version, version.in_double, target, form, given, width, DataPlace::first_cache, doubles_);
-      if (!has_little_memory_ || target.arguments != forms::Arguments::normal_to_lights)
-        add(version, version.in_float, target, form, given, width, DataPlace::memory, floats_);
-      if (!has_little_memory_)
-        add(version, version.in_double, target, form, given, width, DataPlace::memory, doubles_);
-    }
-  }
-
-  template <class Real>
-  void add(const forms::CompiledForm& version, forms::Kernel<Real> kernel, const forms::Target& target,
-           const forms::FormEntry* form, const std::vector<double>& given, forms::Width width,
-           DataPlace place, Workloads<Real>& workloads) {
-    if (kernel == nullptr) return;
-    TimedForm row;
-    row.target = form == nullptr ? "" : target.id;
-    row.form = version.form;
-    row.exp2_degree = version.exp2_degree;
-    row.is_double = sizeof(Real) == sizeof(double);
-    row.width = width;
-    row.place = place;
-    timed.push_back({row, form});
-    std::vector<Real> parameters;
-    for (const double value : given) parameters.push_back(static_cast<Real>(value));
-    work.push_back(work_of(kernel, target, std::move(parameters), place, workloads));
-  }
-
-  bool has_little_memory_;
-  Workloads<float> floats_;
-  Workloads<double> doubles_;
+  std::size_t size_, stride_;
+  std::vector<float> memory_;
+  std::vector<const float*> in_;
 };
-
-/// "sg, published-sg-offset-mean, exp2 of degree 3".
-std::string label_of(const TimedForm& row) {
-  std::string label = row.form;
-  if (row.constants != "none" && !row.constants.empty()) label += ", " + row.constants;
-  if (row.exp2_degree > 0) label += ", exp2 of degree " + std::to_string(row.exp2_degree);
-  return label;
-}
-
-std::optional<double> error_of(const std::vector<FormError>& errors, const TimedForm& row) {
-  for (const FormError& error : errors) {
-    if (error.target == row.target && error.form == row.form && error.constants == row.constants &&
-        error.exp2_degree == row.exp2_degree && error.is_double == row.is_double)
-      return error.max_abs_error;
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
-Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& errors,
-              const WantedForms& wanted, const Clock& clock, const std::function<void(double)>& between) {
-  Trade trade;
-  trade.machine = this_machine();
-  trade.widths = wanted.widths;
-  const Programme programme(catalogue, wanted, trade.machine.last_cache);
-  const auto samples = time_interleaved(programme.work, wanted.plan, clock, between);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    TimedForm row = programme.timed[i].row;
-    row.take(samples[i], programme.work[i]);
-    const forms::FormEntry* form = programme.timed[i].form;
-    if (form == nullptr) {
-      row.label = row.form;
-      trade.copies.push_back(std::move(row));
-      continue;
-    }
-    row.is_reference = form == &forms::reference_of(catalogue, form->target);
-    for (const forms::Constants& constants : form->constants) {
-      row.constants = constants.id;
-      row.label = label_of(row);
-      row.max_abs_error = error_of(errors, row);
-      trade.forms.push_back(row);
-    }
+std::string exp2_in_c(int degree) {
+  std::string code;
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    const auto take = [&]<int D>(std::integral_constant<int, D>) {
+      if (degree == D) code = polynomial_code<D>();
+    };
+    (take(std::integral_constant<int, least_exp2_degree + static_cast<int>(I)>()), ...);
   }
-  for (const forms::Target& target : catalogue.targets) {
-    const bool is_timed = std::ranges::find(trade.forms, target.id, &TimedForm::target) != trade.forms.end();
-    if (is_timed) {
-      trade.targets.push_back(
-          {std::string(target.id), std::string(target.id) + ": " + std::string(target.text)});
-    }
+  (std::make_index_sequence<exp2_for_float.size()>());
+  return code;
+}
+
+Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clock,
+              const std::function<void(double)>& between) {
+  std::deque<FilledArrays> arrays;  // work points to them
+  for (const FormTarget& target : forms.targets) arrays.emplace_back(target.ranges);
+  arrays.emplace_back(std::vector{Range{0, 1}});
+  std::vector<TimedFunction> timed{{multiply_add_chain(), 0, arrays.size() - 1}};
+  std::vector<std::size_t> time_of;  // by form: the place of its function
+  const FormToTime* last = nullptr;
+  for (const FormToTime& form : forms.forms) {
+    const bool is_timed = last != nullptr && last->target == form.target && last->shape == form.shape;
+    if (!is_timed) timed.push_back({form.function, form.row.exp2_degree, form.target});
+    time_of.push_back(timed.size() - 1);
+    last = &form;
+  }
+  for (std::size_t i = 0; i < timed.size(); ++i) timed[i].function.name = fmt::format("form_{}", i);
+  between(0);
+  const CompiledCode code(code_of(timed));
+  std::vector<Work> work;
+  for (const TimedFunction& one : timed)
+    work.push_back(arrays[one.arrays].work(reinterpret_cast<Loop>(code.at("loop_" + one.function.name))));
+  const std::vector<Samples> samples = time_interleaved(work, plan, clock, between);
+
+  Trade trade{.machine = {this_cpu(), static_cast<const char*>(code.at("compiler"))},
+              .rounds = plan.rounds,
+              .shows_all_sets = forms.are_of_a_study};
+  for (const FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
+  Spread unit = spread_of(samples.front().ns);
+  for (double* ns : {&unit.median, &unit.lower_quartile, &unit.upper_quartile})
+    *ns /= forms::MultiplyAdds::count;
+  trade.forms.push_back({.form = "multiply-add", .label = "multiply-add", .ns = unit, .multiply_adds = 1.0});
+  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
+    TimedForm row = forms.forms[i].row;
+    row.ns = spread_of(samples.at(time_of[i]).ns);
+    row.multiply_adds = row.ns.median / unit.median;
+    trade.forms.push_back(std::move(row));
   }
   relate(trade);
-  trade.goals = goals_of(trade);
   return trade;
 }
 

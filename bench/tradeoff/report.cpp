@@ -2,66 +2,117 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "reports/io/escape.hpp"
-#include "reports/io/joined.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit::bench {
 namespace {
 
-std::string target_section(const Trade& trade, const TimedTarget& target,
-                           const std::vector<Figure>& figures) {
-  std::string text = fmt::format("## {}\n\n{}\n", target.title, advice(trade, target.id));
-  const Table front = front_table(trade, target.id);
-  if (!front.rows.empty()) text += markdown_block(front);
-  return text + figure_block(figures, target);
+/// A time or an error: three digits, because times are repeatable to about a percent.
+Cell measured(double value) {
+  return Number{value, 3};
+}
+
+Cell measured(const std::optional<double>& value) {
+  return value ? measured(*value) : Cell{};
+}
+
+using Row = std::vector<std::pair<const char*, Cell>>;
+
+void append(Table& table, const Row& row) {
+  table.columns.clear();
+  auto& cells = table.rows.emplace_back();
+  for (const auto& [column, cell] : row) {
+    table.columns.emplace_back(column);
+    cells.push_back(cell);
+  }
+}
+
+std::string how_it_was_measured(const Trade& trade) {
+  const Machine& machine = trade.machine;
+  if (machine.is_graphics())
+    return fmt::format(
+        "{}, driver {}, on {}; clock: {}. Each form is the GLSL that `emit` writes, in a compute shader. A time is\n"
+        "the mean of a long row of evaluations on the whole device, and of such means the median of {} rounds. Each round visits\n"
+        "every form once; `spread` is the interquartile range. `MADs`: in the time of a multiply-add in float, four streams a thread;\n"
+        "`MADs in a chain`: the same where each evaluation waits for the one before. The loop's own time is subtracted.\n"
+        "Errors are the largest of this device, on a grid, against the target in double.\n\n",
+        machine.device, machine.driver, machine.cpu, machine.clock, trade.rounds);
+  return fmt::format(
+      "{}, compiled by {}. Each form is the C code that `emit` writes, in float, one number at a time.\n"
+      "The times are medians of {} rounds, each of which visits every form once, on one core, with the data in L1;\n"
+      "`spread` is the interquartile range. `MADs`: in the time of a multiply-add.\n"
+      "Errors are {}. Times are this machine's, of this day.\n\n",
+      machine.cpu, machine.compiler, trade.rounds,
+      trade.shows_all_sets ? "those of exact arithmetic"
+                           : "the largest in float on a grid, against the target in double");
 }
 
 }  // namespace
 
-std::string figure_block(const std::vector<Figure>& figures, const TimedTarget& target) {
-  for (const Figure& figure : figures) {
-    if (figure.name == "pareto-" + target.id)
-      return fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", for_markdown(figure.caption), figure.name);
+Table bench_table(const Trade& trade) {
+  const Machine& machine = trade.machine;
+  Table table;
+  for (const TimedForm& timed : trade.forms) {
+    append(table, {{"target", timed.target},
+                   {"form", timed.form},
+                   {"constants", timed.constants},
+                   {"exp2_degree", static_cast<long>(timed.exp2_degree)},
+                   {"precision", precision_of(timed)},
+                   {"ns_per_element", measured(timed.ns.median)},
+                   {"spread", measured(timed.ns.width())},
+                   {"times_faster_than_target", measured(timed.speed_up)},
+                   {"max_abs_error", measured(timed.max_abs_error)},
+                   {"multiply_adds", measured(timed.multiply_adds)},
+                   {"dependent_ns", measured(timed.dependent_ns)},
+                   {"dependent_multiply_adds", measured(timed.dependent_multiply_adds)},
+                   {"cpu", machine.cpu},
+                   {"compiler", machine.compiler},
+                   {"device", machine.device},
+                   {"driver", machine.driver},
+                   {"clock", machine.clock}});
   }
-  return "";
+  return table;
 }
 
-std::string bench_report(const Trade& trade, const std::vector<Figure>& figures, bool has_table) {
-  const Machine& machine = trade.machine;
-  std::string text = fmt::format(
-      "# Run time against error\n\n"
-      "{}, compiled by {}; widths: {}. Medians of {} rounds, each of which visits every form once, on one core; "
-      "`spread` is the interquartile range. `x copy`: in times of copying the same array in the same registers; `x faster than "
-      "pow`: than the scalar loop over the library's own functions in the same precision. Errors are {}; times are "
-      "this machine's, of this day. Each form stands at its fastest width, its data in L1.\n\n",
-      machine.cpu, machine.compiler, joined(trade.widths, ", ", forms::name),
-      trade.forms.empty() ? 0 : trade.forms.front().real.size(),
-      has_table ? "those of `accuracy.csv`, which is the same everywhere" : "the largest on a grid");
-  text += "# What to use when\n\n";
-  for (const TimedTarget& target : trade.targets) text += target_section(trade, target, figures);
-  if (!trade.goals.empty()) {
-    text += "# Goals\n\nRatios within this run, all in float with the data in L1.\n\n" +
-            markdown_block(goals_table(trade));
+Table times_table(const Trade& trade, const std::string& target) {
+  const std::vector<TimedForm> forms = shown_forms(trade, target);
+  const std::vector<std::size_t> front = front_among(forms);
+  Table table;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    const TimedForm& timed = forms[i];
+    const bool is_on_front = std::ranges::find(front, i) != front.end();
+    Row row{{"form", OthersText(timed.label)},
+            {"precision", precision_of(timed)},
+            {"max abs error", measured(timed.max_abs_error)},
+            {"ns", measured(timed.ns.median)},
+            {"spread", measured(timed.ns.width())},
+            {"MADs", measured(timed.multiply_adds)},
+            {"x faster than the target", measured(timed.speed_up)},
+            {"unbeaten", std::string(is_on_front ? "yes" : "")}};
+    if (trade.machine.is_graphics())
+      row.insert(row.begin() + 6,
+                 Row::value_type("MADs in a chain", measured(timed.dependent_multiply_adds)));
+    append(table, row);
+  }
+  return table;
+}
+
+std::vector<File> bench_files(const Trade& trade, const std::vector<Figure>& figures) {
+  std::string text = "# Run time against error\n\n" + how_it_was_measured(trade);
+  text += markdown_block(times_table(trade, ""));
+  for (const TimedTarget& target : trade.targets) {
+    text +=
+        fmt::format("## {}\n\n{}", for_markdown(target.title), markdown_block(times_table(trade, target.id)));
+    const auto figure = std::ranges::find(figures, "pareto-" + target.id, &Figure::name);
+    if (figure != figures.end())
+      text += fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", for_markdown(figure->caption), figure->name);
   }
   text.pop_back();  // sections end in an empty line, the file does not
-  return text;
-}
-
-std::vector<Figure> bench_figures(const Trade& trade) {
-  std::vector<Figure> figures;
-  for (const TimedTarget& target : trade.targets) {
-    if (has_pareto_figure(trade, target)) figures.push_back(pareto_figure(trade, target));
-  }
-  return figures;
-}
-
-std::vector<File> bench_files(const Trade& trade, const std::optional<Table>& accuracy,
-                              const std::vector<Figure>& figures) {
-  std::vector<File> files{{"bench.md", bench_report(trade, figures, accuracy.has_value())},
-                          {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
-  if (accuracy) files.push_back({"accuracy.csv", write_csv(*accuracy, Precision::report)});
-  return files;
+  return {{"bench.md", text}, {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
 }
 
 }  // namespace shadefit::bench

@@ -26,7 +26,7 @@ namespace {
 
 /// The whole numbers of the search, from 0 down. Without the others the level can only be lower. But errors
 /// there are below the level: the form is at most 2^-8.5 = 0.0028 and the target less, while the level is at
-/// least 0.0034. So the level is that of the whole domain. The proof of bench/forms/pairing.hpp includes all.
+/// least 0.0034. So the level is that of the whole domain. Its test samples all of it.
 constexpr int panels = 9;
 
 /// x on a panel: from 0 to -1/2 on the first, on the others from 1/2 above a whole number to 1/2 below it.

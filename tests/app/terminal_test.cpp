@@ -201,10 +201,6 @@ TEST(Help, IsTheSameOnBothWaysAndFits80Columns) {
 TEST(Help, EveryExampleRuns) {
   const TemporaryDirectory directory;
   directory.file("scene.mtl", "newmtl a\nKs 0.5 0.5 0.5\nNs 50\n");
-  // An older run of bench, of a machine where a form was slow.
-  directory.file("old.json", R"({"benchmarks": [
-      {"aggregate_name": "median", "run_name": "schlick/schlick-pow/float/scalar/L1", "real_time": 1},
-      {"aggregate_name": "median", "run_name": "schlick/schlick/float/scalar/L1", "real_time": 1e6}]})");
   std::filesystem::create_directory_symlink(SHADEFIT_SOURCE_DIR "/reports", directory.path() / "reports");
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(directory.path());

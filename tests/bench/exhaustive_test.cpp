@@ -1,10 +1,9 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "bench/exhaustive/float_errors.hpp"
 
@@ -58,8 +57,8 @@ FloatSubject schlick_with_faults() {
 /// The same by a simple loop over the floats.
 FloatErrors by_hand(const FloatSubject& subject, const Stretch& stretch) {
   FloatErrors found;
-  double largest = -1;
-  std::int64_t most = -1;
+  double largest = 0;
+  std::int64_t most = 0;
   for (std::uint32_t at = stretch.from; at < stretch.to; ++at) {
     std::array<float, 64> in{}, out{};
     std::array<double, 64> truth{};
@@ -97,30 +96,34 @@ FloatErrors by_hand(const FloatSubject& subject, const Stretch& stretch) {
 
 TEST(Exhaustive, FindsWhatALoopByHandFinds) {
   const FloatSubject subject = schlick_with_faults();
-  // Before and after a block's end, one float alone, none, the end of the whole.
+  // Before and after a block's end, one float alone, none, the end of the whole, several threads.
   for (const Stretch& stretch : {Stretch{bits(0.5F) - 1500, bits(0.5F) + 1700},
                                  {bits(0.25F), bits(0.25F) + 1},
                                  {bits(0.25F), bits(0.25F)},
                                  {bits(0.25F), bits(0.25F) + 1024},
                                  {unit_floats.to - 3000, unit_floats.to},
-                                 {0, 2100}}) {
+                                 {0, 2100},
+                                 {bits(0.5F), bits(0.5F) + (1U << 19) + 5}}) {
     const FloatErrors wanted = by_hand(subject, stretch), found = errors_on(subject, stretch);
     EXPECT_EQ(found, wanted) << stretch.from;
     EXPECT_EQ(found.count(), stretch.size());
-    for (const unsigned threads : {1U, 2U, 3U, 7U}) EXPECT_EQ(errors_on(subject, stretch, threads), wanted);
   }
 }
 
-TEST(Exhaustive, OfEqualMaximaTheSmallestInputIsKeptWhateverTheOrder) {
-  FloatErrors low, high, both;
-  low.max_ulps = high.max_ulps = 3;
-  low.max_ulps_at = 10;
-  high.max_ulps_at = 20;
-  include(both, high);
-  include(both, low);
-  EXPECT_EQ(both.max_ulps_at, 10U);
-  include(both, FloatErrors{});
-  EXPECT_EQ(both.max_ulps_at, 10U);
+// Results beyond a bound are counted, and the first of their places kept.
+TEST(Exhaustive, NotesWhatIsBeyondItsBound) {
+  FloatSubject subject = schlick_with_faults();
+  subject.bound = [](const float* in, double* middle, double* radius, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      middle[i] = std::pow(1 - static_cast<double>(in[i]), 5);
+      radius[i] = 1e-6;
+    }
+  };
+  const Stretch stretch{0, 3'000'000};
+  const FloatErrors found = errors_on(subject, stretch);
+  EXPECT_EQ(found.nans, 3000U);
+  EXPECT_EQ(found.beyond, 9000U) << "NaN, 1.5 and what is negative";
+  EXPECT_EQ(found.beyond_at, (std::vector<std::uint32_t>{7, 8, 9, 1007, 1008, 1009, 2007, 2008}));
 }
 
 TEST(Exhaustive, WhatAThreadThrowsIsThrown) {
@@ -128,7 +131,7 @@ TEST(Exhaustive, WhatAThreadThrowsIsThrown) {
   subject.truth = [](const float* in, double*, std::size_t) {
     if (bits(in[0]) > 5000) throw std::runtime_error("no truth");
   };
-  EXPECT_THROW(errors_on(subject, Stretch{0, 10000}, 2), std::runtime_error);
+  EXPECT_THROW(errors_on(subject, Stretch{0, 10000}), std::runtime_error);
 }
 
 }  // namespace

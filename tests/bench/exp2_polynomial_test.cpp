@@ -78,7 +78,7 @@ TEST(Exp2Proof, StatesItsBounds) {
     const auto stated = constant<double>(bound.polynomial->bound);
     EXPECT_LE(bound.upper, stated) << bound.format << " " << bound.polynomial->degree;
     EXPECT_GE(bound.lower * 1.0002, stated) << bound.format << " " << bound.polynomial->degree;
-    // three half ulps bound the rounding of Horner's rule; the pairing of forms uses that
+    // three half ulps bound the rounding of Horner's rule
     const double half_ulp = bound.format == "float" ? 0x1p-24 : 0x1p-53;
     EXPECT_LE(bound.rounding, 3 * half_ulp);
     EXPECT_GE(bound.rounding, half_ulp);
@@ -323,23 +323,6 @@ TEST(Exp2Polynomial, EnclosesBothSidesOfAJump) {
     EXPECT_LE(width_of(side.a), 1e-15) << "one side alone";
     EXPECT_TRUE(is_bounded(side.v[0]));
   }
-}
-
-// The rounding of a form is that with an exact exp2 plus 2 %: bench/forms/pairing.cpp.
-TEST(Exp2Polynomial, ChangesLittleFasterThanExp2) {
-  for_each_degree<float>([]<class P>(P) {
-    using Jet = ceres::Jet<Interval, 1>;
-    double most = 0;
-    constexpr int parts = 512;
-    for (int i = 0; i < parts; ++i) {
-      const double reach = 0.5 + ExponentBits<Interval>::overlap, step = 2 * reach / parts;
-      const Interval r = span_of(-reach + i * step, -reach + (i + 1) * step);
-      const Jet p = exp2_near_zero(Jet(r, 0), exp2_coefficients<P, Jet>());
-      most = std::max(most, upper_end(Interval(p.v[0] / (exp2(r) * ln2<Interval>()))));
-    }
-    EXPECT_LE(most, 1.02) << P::record.degree;
-    EXPECT_GE(most, 1) << P::record.degree;
-  });
 }
 
 // A scalar of its own: the formulas as they stand.

@@ -2,22 +2,53 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "bench/timing/machine.hpp"
 #include "bench/timing/timing.hpp"
-#include "bench/tradeoff/labels.hpp"
+#include "bench/tradeoff/compiled_code.hpp"
+#include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
+#include "fit/support/user_error.hpp"
 #include "reports/table/writers.hpp"
-#include "tests/bench/made_up_trade.hpp"
+#include "tests/bench/exp2_choices.hpp"
 
 namespace shadefit::bench {
 namespace {
 
-using testing::has;
-using testing::made_up_trade;
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+TimedForm made_up(std::string target, std::string form, int exp2_degree, double ns,
+                  std::optional<double> error) {
+  return {.target = std::move(target),
+          .form = form,
+          .label = form,
+          .exp2_degree = exp2_degree,
+          .max_abs_error = error,
+          .ns = {ns, ns * 0.95, ns * 1.05},
+          .multiply_adds = ns / 0.1};
+}
+
+/// A lobe with a cheap form under two polynomials and with two sets of constants, a form that is beaten, and
+/// pow; and a target without a reference.
+Trade made_up_trade() {
+  Trade trade{.machine = {"A CPU, made up", "a compiler"},
+              .rounds = 21,
+              .shows_all_sets = false,
+              .targets = {{"lobe", "The lobe c^10"}, {"other", "Another"}},
+              .forms = {made_up("", "multiply-add", 0, 0.1, {}), made_up("lobe", "pow", 0, 20, 6e-8),
+                        made_up("lobe", "cheap", 3, 0.2, 0.03), made_up("lobe", "cheap", 3, 0.2, 0.02),
+                        made_up("lobe", "cheap", 5, 0.3, 0.004), made_up("lobe", "bad", 0, 0.9, 0.1),
+                        made_up("other", "other", 0, 0.3, 0.1)}};
+  trade.forms[1].is_reference = true;
+  trade.forms[3].constants = "best";
+  relate(trade);
+  return trade;
+}
 
 TEST(Spread, IsOfTheMiddleHalf) {
   const Spread odd = spread_of({5, 1, 4, 2, 3});
@@ -56,7 +87,7 @@ constexpr double tick = 0x1p-20;
 struct Worked {
   double seconds = 0;
   Clock clock() {
-    return [this] { return Instant{seconds, seconds / 2}; };
+    return [this] { return seconds; };
   }
 };
 
@@ -86,11 +117,10 @@ TEST(Timing, RoundsAreInterleaved) {
   EXPECT_EQ(samples[0].calls, 8);
   EXPECT_EQ(samples[1].calls, 2);
   for (std::size_t i = 0; i < 3; ++i) {
-    ASSERT_EQ(samples[i].real.size(), 4U);
+    ASSERT_EQ(samples[i].ns.size(), 4U);
     // ns an element: 10 elements a call; a last bit or two for the division.
     const double wanted = std::array{1., 4., 2.}.at(i) * tick * 1e9 / 10;
-    for (const double ns : samples[i].real) EXPECT_DOUBLE_EQ(ns, wanted);
-    for (const double ns : samples[i].cpu) EXPECT_DOUBLE_EQ(ns, wanted / 2);
+    for (const double ns : samples[i].ns) EXPECT_DOUBLE_EQ(ns, wanted);
   }
   EXPECT_EQ(shares.front(), 0);
   EXPECT_EQ(shares.back(), 1);
@@ -125,10 +155,9 @@ TEST(Timing, WhoIsToldHowFarItIsMayEndIt) {
                int);
 }
 
-TEST(Timing, TheClockOfAVisitGoesForward) {
-  const Instant before = now(), after = now();
-  EXPECT_LE(before.real, after.real);
-  EXPECT_LE(before.cpu, after.cpu);
+TEST(Timing, TheClockGoesForward) {
+  const double before = now(), after = now();
+  EXPECT_LE(before, after);
 }
 
 TEST(Machine, ReadsItsNameOrSaysThatItIsUnknown) {
@@ -137,187 +166,158 @@ TEST(Machine, ReadsItsNameOrSaysThatItIsUnknown) {
       "AMD EPYC 9R14");
   EXPECT_EQ(cpu_name(""), "unknown");
   EXPECT_EQ(cpu_name("model name\nmodel name:\nmodel name :  \n"), "unknown");
-  EXPECT_FALSE(this_machine().cpu.empty());
-  EXPECT_GE(this_machine().threads, 1U);
+  EXPECT_FALSE(this_cpu().empty());
 }
 
-const TimedForm* find_timed(const std::vector<TimedForm>& rows, std::string_view form, DataPlace place) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const TimedForm& row) {
-    return row.form == form && row.width == forms::Width::avx2 && row.place == place;
-  });
-  return found == rows.end() ? nullptr : &*found;
-}
-
-TEST(Trade, RelatesTimesToTheCopyAndTheScalarReferenceOfItsOwnKind) {
-  const Trade trade = made_up_trade();
-  const TimedForm& cheap = *find_timed(trade.forms, "cheap", DataPlace::first_cache);
-  EXPECT_DOUBLE_EQ(*cheap.copies, 0.2 / 0.1) << "the copy in AVX2";
-  EXPECT_DOUBLE_EQ(*cheap.pows, 20 / 0.2) << "the scalar pow of the same precision and place";
-  const TimedForm& far = *find_timed(trade.forms, "cheap", DataPlace::memory);
-  EXPECT_DOUBLE_EQ(*far.copies, 1);
-  EXPECT_FALSE(far.pows) << "no pow was timed in memory";
-  const TimedForm& of_other = *find_timed(trade.forms, "other", DataPlace::first_cache);
-  EXPECT_FALSE(of_other.pows) << "its target has no reference";
-}
-
-TEST(Trade, AFrontHoldsEachFormAtItsFastestWidth) {
-  const auto front = front_of_target(made_up_trade(), "lobe");
-  std::vector<std::string> names;
-  for (const TimedForm& timed : front)
-    names.push_back(full_id(timed) + " " + std::string(forms::name(timed.width)));
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"cheap/exp2-3 AVX2", "cheap/exp2-5 AVX2", "pow AVX2", "pow AVX2"}));
-  EXPECT_FALSE(front[2].is_double);
-  EXPECT_TRUE(front[3].is_double);
-}
-
-TEST(Trade, AdviceNamesErrorFormTimeAndBound) {
-  const std::string text = advice(made_up_trade(), "lobe");
-  EXPECT_TRUE(text.starts_with(
-      "- An error of 0.02 allowed: cheap form, exp2 of degree 3 in float (AVX2), 0.2 ns an element; "
-      "100 x as fast as the scalar loop of the library, 10 x as fast as its widest form; "
-      "bound by its arithmetic (2.0 x a copy), in memory by the memory.\n"))
-      << text;
-  EXPECT_TRUE(
-      has(text,
-          "\n- An error of 6e-08 allowed: pow in float (AVX2), 2 ns an element; the library's own functions; "
-          "bound by its arithmetic (20 x a copy).\n"))
-      << text;
-  // A form that takes at most 1.25 copies is limited by its data.
+TEST(Trade, RelatesTimesToTheReferenceOfTheTargetInThatPrecision) {
   Trade trade = made_up_trade();
-  for (TimedForm& timed : trade.forms) timed.ns.median /= 2;
+  EXPECT_DOUBLE_EQ(*trade.forms[3].speed_up, 20 / 0.2);
+  EXPECT_FALSE(trade.forms[6].speed_up) << "its target has no reference";
+  trade.forms[3].is_half = true;
+  trade.forms[3].speed_up.reset();
   relate(trade);
-  EXPECT_TRUE(has(advice(trade, "lobe"), "bound by loads and stores (1.0 x a copy)"));
-  EXPECT_EQ(advice(trade, "nothing"), "Nothing was measured.\n");
+  EXPECT_FALSE(trade.forms[3].speed_up) << "no pow was timed in half";
 }
 
-// On a graphics device the same form in half is another way, with an error of its own.
-TEST(Trade, HalfAndFloatAreWaysOfTheirOwn) {
-  Trade trade;
-  trade.machine.driver = "a driver";
-  for (const bool is_half : {false, true}) {
-    TimedForm timed =
-        testing::made_up("lobe", "sg", 0, forms::Width::scalar, is_half ? 1 : 2, is_half ? 0.01 : 0.008);
-    timed.on_device.emplace().is_half = is_half;
-    trade.forms.push_back(timed);
-  }
-  EXPECT_EQ(precision_of(trade.forms[0]), "float");
-  EXPECT_EQ(precision_of(trade.forms[1]), "half");
-  EXPECT_FALSE(is_same_way(trade.forms[0], trade.forms[1]));
-  EXPECT_EQ(front_of_target(trade, "lobe").size(), 2U);
-  const std::string csv = write_csv(bench_table(trade), Precision::report);
-  EXPECT_TRUE(has(csv, "\nlobe,sg,,0,half,,,1,0.1,")) << "no width and no place\n" << csv;
-  // The figure compares what shaders compute in float.
-  const Figure figure = pareto_figure(trade, {"lobe", "The lobe"});
-  EXPECT_EQ(figure.data.rows.size(), 1U);
-  EXPECT_FALSE(has(figure.caption, "L1"));
+TEST(Trade, ATableShowsTheBestConstantsOrAllOfThemTheFastestFirst) {
+  Trade trade = made_up_trade();
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const TimedForm& timed : shown_forms(trade, "lobe"))
+      found.push_back(full_id(timed) + " " + timed.constants);
+    return found;
+  };
+  EXPECT_EQ(names(), (std::vector<std::string>{"cheap/exp2-3 best", "cheap/exp2-5 ", "bad ", "pow "}));
+  trade.shows_all_sets = true;
+  EXPECT_EQ(names().size(), 5U);
 }
 
-TEST(Trade, TheTableOfTimesHasTheColumnsThatOthersRelyOn) {
+TEST(Trade, TheTableOfATargetMarksTheFront) {
+  const std::string csv = write_csv(times_table(made_up_trade(), "lobe"), Precision::report);
+  EXPECT_EQ(csv,
+            "form,precision,max abs error,ns,spread,MADs,x faster than the target,unbeaten\n"
+            "cheap,float,0.02,0.2,0.02,2,100,yes\n"
+            "cheap,float,0.004,0.3,0.03,3,66.7,yes\n"
+            "bad,float,0.1,0.9,0.09,9,22.2,\n"
+            "pow,float,6e-08,20,2,200,1,yes\n");
+}
+
+TEST(Trade, TheFileOfTimesHasTheColumnsThatOthersRelyOn) {
   const std::string csv = write_csv(bench_table(made_up_trade()), Precision::report);
   EXPECT_TRUE(csv.starts_with(
-      "target,form,constants,exp2_degree,precision,width,place,ns_per_element,spread,copies,"
-      "times_faster_than_pow,max_abs_error,cpu,compiler,device,driver,clock,multiply_adds,dependent_ns,"
-      "dependent_multiply_adds\n"))
-      << csv.substr(0, 200);
-  EXPECT_TRUE(
-      has(csv,
-          "\nlobe,cheap,,3,float,AVX2,L1,0.2,0.02,2,100,0.02,\"A CPU, made up\",a compiler,cpu,,steady "
-          "clock,2,,\n"));
-  EXPECT_TRUE(
-      has(csv, "\n,copy,,0,float,AVX2,L1,0.1,0.01,,,,\"A CPU, made up\",a compiler,cpu,,steady clock,,,\n"));
+      "target,form,constants,exp2_degree,precision,ns_per_element,spread,times_faster_than_target,"
+      "max_abs_error,multiply_adds,dependent_ns,dependent_multiply_adds,cpu,compiler,device,driver,clock\n"
+      ",multiply-add,,0,float,0.1,0.01,,,1,,,\"A CPU, made up\",a compiler,cpu,,steady clock\n"))
+      << csv;
+  EXPECT_TRUE(has(csv, "\nlobe,cheap,best,3,float,0.2,0.02,100,0.02,2,,,\"A CPU, made up\"")) << csv;
 }
 
-TEST(Trade, TheReportHasWordsTablesPicturesAndGoals) {
+// On a graphics device a form has a time in a chain too, and in half a row of its own.
+TEST(Trade, OnADeviceHalfIsARowOfItsOwn) {
+  Trade trade = made_up_trade();
+  trade.machine = {.cpu = "A CPU", .device = "A GPU", .driver = "a driver"};
+  trade.forms[3].is_half = true;
+  trade.forms[3].dependent_multiply_adds = 5;
+  const std::string csv = write_csv(times_table(trade, "lobe"), Precision::report);
+  EXPECT_TRUE(has(csv, ",MADs,MADs in a chain,x faster than the target,")) << csv;
+  EXPECT_TRUE(has(csv, "\ncheap,half,0.02,0.2,0.02,2,5,")) << csv;
+  EXPECT_TRUE(has(csv, "\ncheap,float,0.03,0.2,0.02,2,,")) << csv;
+  EXPECT_TRUE(has(bench_files(trade, {}).front().content, "A GPU, driver a driver, on A CPU"));
+  // The figure compares what shaders compute in float.
+  const Figure figure = bench_figures(trade).front();
+  for (const auto& row : figure.data.rows) EXPECT_FALSE(text(row[1], Precision::report) == "0.02");
+}
+
+TEST(Trade, TheReportHasTablesAndPictures) {
   const Trade trade = made_up_trade();
-  const std::string report = bench_report(trade, bench_figures(trade), true);
-  for (const char* part : {"# What to use when", "## The lobe c^10", "- An error of 0.02 allowed",
-                           "| cheap form, exp2 of degree 3 ", "](plots/pareto-lobe.svg)", "# Goals",
-                           "A CPU, made up, compiled by a compiler; widths: scalar, AVX2."})
-    EXPECT_TRUE(has(report, part)) << part;
-  EXPECT_TRUE(report.ends_with("|\n"));
-  EXPECT_FALSE(has(bench_report(trade, {}, false), "plots/"));
-  const std::string goals = write_csv(goals_table(trade), Precision::report);
-  EXPECT_EQ(goals,
-            "ratio,wanted,reached,met\nfast,>= 45,52,yes\nslow,>= 45,44,no\nnear,<= 1.4,1.4,yes\n"
-            "far,<= 1.4,1.5,no\nabsent,>= 2,,not measured\n");
+  const std::string report = bench_files(trade, bench_figures(trade)).front().content;
+  for (const char* part : {"## The lobe c^10", "| cheap ", "](plots/pareto-lobe.svg)", "| multiply-add ",
+                           "A CPU, made up, compiled by a compiler.", "21 rounds"})
+    EXPECT_TRUE(has(report, part)) << part << report;
+  EXPECT_FALSE(has(bench_files(trade, {}).front().content, "plots/"));
 }
 
 TEST(Pareto, ThePictureJoinsTheFrontAndNamesIt) {
   const Trade trade = made_up_trade();
-  const Figure figure = pareto_figure(trade, trade.targets.front());
+  const Figure figure = bench_figures(trade).front();
   EXPECT_EQ(figure.name, "pareto-lobe");
   const std::string csv = write_csv(figure.data, Precision::report);
-  EXPECT_TRUE(
-      csv.starts_with("ns,front,form,reference,name,width\n"
-                      "0.2,0.02,,,cheap/exp2-3,AVX2\n0.3,0.004,,,cheap/exp2-5,AVX2\n"))
-      << csv;
-  EXPECT_TRUE(has(csv, "\n0.9,,0.1,,bad,AVX2\n")) << "what is beaten is off the front: " << csv;
-  EXPECT_TRUE(has(csv, "\n20,,,6e-08,pow,scalar\n")) << csv;
-  EXPECT_TRUE(has(figure.script, "set logscale xy"));
-  EXPECT_TRUE(has(figure.script, "set label 'cheap/exp2-3' at graph"));
-  EXPECT_TRUE(has(figure.script, "set label 'bad' at graph"))
-      << "the best of a form is named off the front too";
-  EXPECT_TRUE(has(figure.script, "set label 'pow (scalar)' at graph"));
-  EXPECT_FALSE(has_pareto_figure(trade, {"nothing", ""}));
+  EXPECT_EQ(csv,
+            "ns,front,form,reference,name\n0.2,0.02,,,cheap/exp2-3\n0.3,0.004,,,cheap/exp2-5\n"
+            "0.9,,0.1,,bad\n20,6e-08,,,pow\n");
+  EXPECT_TRUE(has(figure.script, "set logscale x 2\nset logscale y\n"));
+  EXPECT_TRUE(has(figure.script, "set label 'cheap/exp2-3' at first 0.2, first 0.02"));
+  EXPECT_FALSE(has(figure.script, "set label 'bad'"));
+  Trade without = trade;
+  for (TimedForm& form : without.forms) form.max_abs_error.reset();
+  EXPECT_TRUE(bench_figures(without).empty());
 }
 
-// gnuplot raises one character after a ^, and takes the space behind it.
-TEST(ParetoFigure, RaisesWholeExponents) {
-  const Trade trade = testing::made_up_trade();
-  const auto title_of = [&](const std::string& title) {
-    TimedTarget target = trade.targets.front();
-    target.title = title;
-    const std::string script = pareto_figure(trade, target).script;
-    const std::size_t start = script.find("set title '") + 11;
-    return script.substr(start, script.find(", on ", start) - start);
-  };
-  EXPECT_EQ(title_of("c^(2^(d g + f)), g a code"), "c^{2^{d g + f}}, g a code");
-  EXPECT_EQ(title_of("max(n.l, 0)^k over all"), "max(n.l, 0)^{k} over all");
-  EXPECT_EQ(title_of("(1 - g^2)/(4 pi (1 + g^2)^1.5)"), "(1 - g^{2})/(4 pi (1 + g^{2})^{1.5})");
-  EXPECT_EQ(title_of("c"), "c");
-}
-
-TEST(ParetoFigure, DrawsTheProcessorsNameAsItIs) {
-  Trade trade = testing::made_up_trade();
+TEST(Pareto, DrawsTheProcessorsNameAsItIs) {
+  Trade trade = made_up_trade();
   trade.machine.cpu = "Intel(R) Xeon(R) CPU @ 2.20GHz";
-  EXPECT_TRUE(
-      has(pareto_figure(trade, trade.targets.front()).script, R"(on Intel(R) Xeon(R) CPU \@ 2.20GHz' off)"));
+  EXPECT_TRUE(has(bench_figures(trade).front().script, R"(on Intel(R) Xeon(R) CPU \@ 2.20GHz' off)"));
 }
 
-struct Rectangle {
-  double left, right, top, bottom;
-};
+TEST(LargestError, IsInfiniteWhereAValueIsNoNumber) {
+  const std::array<double, 3> truth{1, 2, 3};
+  EXPECT_EQ(largest_error(std::array{1.F, 2.5F, 2.75F}, truth), 0.5);
+  EXPECT_EQ(largest_error(std::array{1.F, std::numeric_limits<float>::quiet_NaN(), 3.F}, truth),
+            std::numeric_limits<double>::infinity());
+}
 
-TEST(Labels, KeepOffEachOtherOffPointsAndInside) {
-  // A dozen points in a corner a label wide, and some without names around them.
-  std::vector<Pixel> points;
-  std::vector<std::string> names;
-  for (int i = 0; i < 12; ++i) {
-    points.push_back({20 + 9.0 * i, 20 + 7.0 * (i * 5 % 12)});
-    names.push_back("a form of some name " + std::to_string(i));
+TEST(MultiplyAdds, AreWhatTheirNameSays) {
+  const Operations operations = count_operations(multiply_add_chain().result);
+  EXPECT_EQ(operations.multiply_add, forms::MultiplyAdds::count);
+  EXPECT_EQ(operations.total(), forms::MultiplyAdds::count);
+  // The sum of its coefficients is 1: a chain of them stays in [0, 1].
+  EXPECT_EQ(evaluate<double>(multiply_add_chain().result, [](const std::string&) { return 1.0; }), 1);
+}
+
+TEST(CatalogueForms, AreAllOnesOfOneLight) {
+  const auto catalogue = forms::catalogue();
+  const FormsToTime all = catalogue_forms(catalogue, {}, Exp2Kinds::library),
+                    some = catalogue_forms(catalogue, {"schlick"}, Exp2Kinds::library);
+  EXPECT_EQ(all.targets.size(), 5U);
+  EXPECT_GT(all.forms.size(), 70U);
+  ASSERT_EQ(some.targets.size(), 1U);
+  EXPECT_TRUE(some.forms.front().row.is_reference);
+  EXPECT_FALSE(some.forms.back().row.is_reference);
+  for (const FormToTime& form : all.forms) EXPECT_TRUE(form.row.max_abs_error) << form.row.label;
+  // Of the published pair: 0.00362/(1 - 0.04) of the report's summary.
+  const auto pair = std::ranges::find(some.forms, "published-fresnel-quadratic-a",
+                                      [](const FormToTime& form) { return form.row.constants; });
+  ASSERT_NE(pair, some.forms.end());
+  EXPECT_NEAR(*pair->row.max_abs_error, 0.00377, 5e-6);
+  EXPECT_THROW(catalogue_forms(catalogue, {"phong-64"}, Exp2Kinds::library), UserError);
+}
+
+// The polynomials in C compute the bits that they have in C++.
+TEST(Measure, Exp2InCIsThatOfTheForms) {
+  std::vector<float> in;
+  for (float x = -130; x < 130; x += 0.37F) in.push_back(x);
+  in.insert(in.end(), {-200, -127, -126.5F, 0.5F, 1e30F, -1e30F});
+  shadefit::testing::for_each_degree<float>([&]<class P>(P) {
+    const std::string name = "exp2_degree_" + std::to_string(P::record.degree);
+    const CompiledCode code(exp2_in_c(P::record.degree) +
+                            "float call(float x);\nfloat call(float x) { return " + name + "(x); }\n");
+    const auto call = reinterpret_cast<float (*)(float)>(code.at("call"));
+    for (const float x : in) EXPECT_EQ(call(x), exp2_polynomial<P>(x)) << name << " of " << x;
+  });
+}
+
+TEST(Measure, EveryFormHasATime) {
+  const auto catalogue = forms::catalogue();
+  const FormsToTime forms = catalogue_forms(catalogue, {"schlick"}, Exp2Kinds::polynomials);
+  const Trade trade = measure(forms, {2, 1e-6}, now, [](double) {});
+  ASSERT_EQ(trade.forms.size(), 1 + forms.forms.size());
+  for (const TimedForm& row : trade.forms) {
+    EXPECT_GT(row.ns.median, 0) << row.label;
+    EXPECT_GT(*row.multiply_adds, 0) << row.label;
+    EXPECT_EQ(row.speed_up.has_value(), !row.target.empty()) << row.label;
   }
-  points.push_back({200, 30});
-  points.push_back({150, 60});
-  const Pixel size{798, 470};
-  const auto labels = place_labels(points, names, size);
-  ASSERT_EQ(labels.size(), names.size());
-  std::vector<Rectangle> boxes;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const Pixel& at = labels[i].middle_left;
-    boxes.push_back({at.x, at.x + letter_width * static_cast<double>(names[i].size()), at.y - line_height / 2,
-                     at.y + line_height / 2});
-    const Rectangle& box = boxes.back();
-    EXPECT_TRUE(box.left >= 0 && box.right <= size.x && box.top >= 0 && box.bottom <= size.y) << names[i];
-    for (const Pixel& p : points)
-      EXPECT_FALSE(p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom) << names[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      const Rectangle& other = boxes[j];
-      EXPECT_FALSE(box.left < other.right && other.left < box.right && box.top < other.bottom &&
-                   other.top < box.bottom)
-          << names[i] << " over " << names[j];
-    }
-  }
+  EXPECT_EQ(trade.rounds, 2);
+  EXPECT_NE(trade.machine.compiler, "");
 }
 
 }  // namespace

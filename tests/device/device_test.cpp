@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/device/form_functions.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/half_errors.hpp"
 #include "bench/device/probe.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/device/on_device.hpp"
 
@@ -30,6 +30,11 @@ struct Chosen {
                             [&](const auto& entry) { return entry.id == id; })),
         target(&forms::target_of(catalogue, form->target)) {}
 };
+
+/// The forms of the catalogue, each with every set of its constants.
+std::vector<bench::FormToTime> forms_of(const forms::Catalogue& catalogue) {
+  return bench::catalogue_forms(catalogue, {}, bench::Exp2Kinds::library).forms;
+}
 
 // Every float. These are the errors that `usual_gpu` and the documents state.
 TEST_F(Device, Exp2AndLog2AreAsWrongAsStatedAtMost) {
@@ -106,20 +111,20 @@ TEST_F(Device, RunsEveryFormWithinTheBoundInBothLanguages) {
   const forms::Catalogue catalogue = forms::catalogue();
   std::map<forms::Arguments, DrawnInputs> drawn;
   std::size_t forms = 0;
-  for (const FormFunction& form : form_functions(catalogue)) {
-    const forms::Arguments kind = forms::target_of(catalogue, form.target).arguments;
+  for (const bench::FormToTime& form : forms_of(catalogue)) {
+    const forms::Arguments kind = forms::target_of(catalogue, form.row.target).arguments;
     if (!drawn.contains(kind)) drawn.emplace(kind, drawn_for(kind));
     const DrawnInputs& inputs = drawn.at(kind);
     const std::vector<double> values = values_at(inputs, form.function);
     const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
     // log2 of 0, or of a subnormal number that is flushed to 0, is no number that a bound could have.
     const auto is_vague = [](double bound) { return bound > vague; };
-    const bool has_log2_of_zero = form.form == "lobe-exp2-log2";
+    const bool has_log2_of_zero = form.row.form == "lobe-exp2-log2";
     EXPECT_EQ(std::count_if(bounds.begin(), bounds.end(), is_vague), has_log2_of_zero ? 2 : 0)
-        << form.form << " " << form.constants;
+        << form.row.label;
     for (const ShaderLanguage language : languages) {
       EXPECT_EQ(beyond(form.function, language, inputs, values, bounds), "")
-          << form.target << " " << form.form << " " << form.constants << " in " << name_of(language);
+          << form.row.target << " " << form.row.label << " in " << name_of(language);
     }
     ++forms;
   }
@@ -146,19 +151,18 @@ std::size_t without_bound(std::string_view form) {
 // Every half in [0, 1] through every form of one cosine.
 TEST_F(Device, RunsEveryHalfWithinTheBound) {
   const forms::Catalogue catalogue = forms::catalogue();
-  for (const FormFunction& form : form_functions(catalogue)) {
-    if (forms::target_of(catalogue, form.target).arguments != forms::Arguments::cosine) continue;
+  for (const bench::FormToTime& form : forms_of(catalogue)) {
+    if (forms::target_of(catalogue, form.row.target).arguments != forms::Arguments::cosine) continue;
     const TruthOfCosines truth = in_double(form.function);
     if (!vulkan().info().has_half) {
       EXPECT_THROW(errors_in_half(vulkan(), form.function, truth, usual_gpu), UserError);
       continue;
     }
-    const HalfErrors found = errors_in_half(vulkan(), form.function, truth, usual_gpu);
-    EXPECT_EQ(found.count, 15361U);
-    EXPECT_EQ(found.unbounded, without_bound(form.form)) << form.form << " " << form.constants;
-    EXPECT_GT(found.max_abs_error, 0x1p-13) << form.form << " is better than rounded to half";
-    EXPECT_EQ(found.beyond.size(), 0U)
-        << form.form << " " << form.constants << " at " << (found.beyond.empty() ? 0 : found.beyond.front());
+    const bench::FloatErrors found = errors_in_half(vulkan(), form.function, truth, usual_gpu);
+    EXPECT_EQ(found.count(), 15361U);
+    EXPECT_EQ(found.unbounded, without_bound(form.row.form)) << form.row.label;
+    EXPECT_GT(found.max_abs_error, 0x1p-13) << form.row.form << " is better than rounded to half";
+    EXPECT_EQ(found.beyond, 0U) << form.row.label;
   }
 }
 
@@ -173,17 +177,17 @@ forms::Constants with_wrong_digit(forms::Constants constants, std::size_t k, std
 TEST_F(Device, FindsAWrongDigitInBothLanguages) {
   const Chosen chosen("fresnel-quadratic");
   const forms::Constants& right = chosen.form->constants.front();
-  const FormFunction form = form_function(*chosen.target, *chosen.form, right);
+  const ShaderFunction form = bench::function_of(*chosen.target, *chosen.form, right);
   const DrawnInputs inputs = drawn_cosines();
-  const std::vector<double> values = values_at(inputs, form.function);
-  const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
+  const std::vector<double> values = values_at(inputs, form);
+  const std::vector<double> bounds = bounds_of(inputs, form, usual_gpu);
   std::size_t digits = 0;
   for (std::size_t k = 0; k < right.numbers.size(); ++k) {
     for (const std::size_t place : digits_of(right.numbers[k].printed)) {
       const forms::Constants wrong = with_wrong_digit(right, k, place);
-      const FormFunction other = form_function(*chosen.target, *chosen.form, wrong);
+      const ShaderFunction other = bench::function_of(*chosen.target, *chosen.form, wrong);
       for (const ShaderLanguage language : languages)
-        EXPECT_NE(beyond(other.function, language, inputs, values, bounds), "")
+        EXPECT_NE(beyond(other, language, inputs, values, bounds), "")
             << wrong.numbers[k].printed << " in " << name_of(language);
       ++digits;
     }
@@ -206,20 +210,20 @@ TEST_F(Device, FindsAWrongDigitInEveryForm) {
   std::set<std::string> found;
   for (const forms::FormEntry& entry : catalogue.forms) {
     const forms::Target& target = forms::target_of(catalogue, entry.target);
-    if (is_of_several_lights(target)) continue;
+    if (bench::is_of_several_lights(target)) continue;
     const forms::Arguments kind = target.arguments;
     if (!drawn.contains(kind)) drawn.emplace(kind, thinned(drawn_for(kind)));
     const DrawnInputs& inputs = drawn.at(kind);
     for (const forms::Constants& right : entry.constants) {
       if (right.numbers.empty()) continue;
-      const FormFunction form = form_function(target, entry, right);
-      const std::vector<double> values = values_at(inputs, form.function);
-      const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
+      const ShaderFunction form = bench::function_of(target, entry, right);
+      const std::vector<double> values = values_at(inputs, form);
+      const std::vector<double> bounds = bounds_of(inputs, form, usual_gpu);
       for (std::size_t k = 0; k < right.numbers.size(); ++k) {
         const forms::Constants wrong = with_wrong_fifth_digit(right, k);
-        const FormFunction other = form_function(target, entry, wrong);
+        const ShaderFunction other = bench::function_of(target, entry, wrong);
         for (const ShaderLanguage language : languages)
-          EXPECT_NE(beyond(other.function, language, inputs, values, bounds), "")
+          EXPECT_NE(beyond(other, language, inputs, values, bounds), "")
               << entry.id << " " << right.id << " with " << wrong.numbers[k].printed << " in "
               << name_of(language);
       }
@@ -234,7 +238,8 @@ TEST_F(Device, FindsAWrongDigitInEveryForm) {
 // The sweep of `bench --exhaustive`: whole stretches, several dispatches, and a bound that is too small.
 TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
   const Chosen chosen("lobe-squarings");
-  const FormFunction form = form_function(*chosen.target, *chosen.form, chosen.form->constants.front());
+  const ShaderFunction form =
+      bench::function_of(*chosen.target, *chosen.form, chosen.form->constants.front());
   const auto device = std::make_shared<SweptDevice>(VulkanDevice({.is_watched = true}));
   bench::FloatSubject subject;
   subject.truth = [](const float* in, double* out, std::size_t count) {
@@ -242,7 +247,7 @@ TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
   };
   sweep_on_device(subject, device, form, usual_gpu);
   const bench::Stretch stretch{0x3f000000, 0x3f000000 + (1U << 20) + 7};
-  const bench::FloatErrors found = bench::errors_on(subject, stretch, 2);
+  const bench::FloatErrors found = bench::errors_on(subject, stretch);
   EXPECT_EQ(found.count(), stretch.size());
   EXPECT_EQ(found.beyond, 0U);
   EXPECT_GT(found.max_ulps, 0U);
@@ -252,7 +257,7 @@ TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
     bound(in, middle, radius, count);
     std::fill_n(radius, count, 0.0);
   };
-  const bench::FloatErrors none = bench::errors_on(subject, stretch, 2);
+  const bench::FloatErrors none = bench::errors_on(subject, stretch);
   EXPECT_GT(none.beyond, 100U);
   EXPECT_TRUE(std::is_sorted(none.beyond_at.begin(), none.beyond_at.end()));
   EXPECT_LT(none.beyond_at.back(), stretch.to);

@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
 #include "app/commands/command_line.hpp"
 #include "bench/device/vulkan_device.hpp"
-#include "reports/io/csv.hpp"
 #include "tests/device/drivers.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -20,27 +18,18 @@ INSTANTIATE_TEST_SUITE_P(Drivers, HalvesOnDriver, ::testing::ValuesIn(drivers),
 
 TEST_P(HalvesOnDriver, OneFormHasARowAndAHistogram) {
   const TemporaryDirectory directory;
-  const std::string out = directory / "out";
-  const Outcome outcome = run_command_line(
-      {"bench", "--exhaustive", "schlick", "--half", "--device", "vulkan", "--out", out}, keep_going);
   const device::DeviceInfo device = device::vulkan_devices().front();
-  if (!device.has_half) {
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.err, "shadefit: device '" + device.name + "' has no arithmetic in half\n");
-    EXPECT_TRUE(snapshot(directory.path()).empty());
-    return;
-  }
+  if (!device.has_half) return;
+  const Outcome outcome = run_command_line(
+      {"bench", "--exhaustive", "schlick", "--half", "--device", "vulkan", "--out", directory / "out"},
+      keep_going);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const CsvTable csv = parse_csv(snapshot(out).at("errors-half.csv"), "errors-half.csv");
-  EXPECT_EQ(csv.columns,
-            (std::vector<std::string>{"form", "constants", "halves", "max abs error", "at c", "max ulps",
-                                      "at c ", "NaN", "beyond", "without bound", "device"}));
-  ASSERT_EQ(csv.rows.size(), 1U);
-  EXPECT_EQ(csv.rows.front().front(), "schlick");
-  EXPECT_EQ(csv.rows.front().at(2), "15361");
-  EXPECT_EQ(csv.rows.front().back(), name_with_driver(device));
+  EXPECT_TRUE(
+      outcome.out.starts_with("on " + name_with_driver(device) + "\nform     constants  halves  max abs "))
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("\nschlick  none        15361  "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\nulps    halves    share\n0 "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("Result: " + out + "/errors-half.csv"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(snapshot(directory.path()).empty());
 }
 
 TEST_P(HalvesOnDriver, ADeviceWithoutHalfIsRefused) {

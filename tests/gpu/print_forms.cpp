@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/device/times/device_forms.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/scalars/integral.hpp"
 #include "tests/forms_of_studies.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 void append(Json& all, const std::string& id, ShaderFunction function,
-            const std::vector<device::Range>& ranges) {
+            const std::vector<bench::Range>& ranges) {
   function.name += "_" + std::to_string(all.size());  // all of them are compiled together
   Json variables = Json::array(), code;
   for (std::size_t i = 0; i < function.arguments.size(); ++i)
@@ -29,15 +29,15 @@ void append(Json& all, const std::string& id, ShaderFunction function,
 
 Json every_form() {
   Json all = Json::array();
-  const device::DeviceForms forms = device::catalogue_forms(forms::catalogue(), {});
-  for (const device::DeviceForm& form : forms.forms) {
-    const device::DeviceTarget& target = forms.targets[form.target];
+  const bench::FormsToTime forms = bench::catalogue_forms(forms::catalogue(), {}, bench::Exp2Kinds::library);
+  for (const bench::FormToTime& form : forms.forms) {
+    const bench::FormTarget& target = forms.targets[form.target];
     append(all, target.heading.id + "/" + form.row.form + "/" + form.row.constants, form.function,
            target.ranges);
   }
   for (const testing::FormOfStudy& form : testing::forms_of_studies()) {
     if (!form.is_published || integral_depth(form.function.result) > 0) continue;
-    std::vector<device::Range> ranges;
+    std::vector<bench::Range> ranges;
     for (const StudyAxis& axis : form.read.axes) ranges.push_back({axis.lower, axis.upper});
     append(all, form.function.name, {form.function.name, form.function.arguments, form.function.result},
            ranges);

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/temporary_directory.hpp"
@@ -13,6 +14,16 @@ namespace shadefit::testing {
 /// Runs a tool; its output is in the file `said`.
 inline bool runs(const std::string& command, const TemporaryDirectory& directory) {
   return std::system((command + " >'" + directory / "said" + "' 2>&1").c_str()) == 0;
+}
+
+/// Why shaders cannot be compiled here: a tool that is missing, and its package. Empty if they can.
+inline std::string reason_without_shaders() {
+  for (const auto& [tool, package] :
+       {std::pair("glslangValidator", "glslang-tools"), {"spirv-val", "spirv-tools"}}) {
+    if (std::system((std::string("command -v ") + tool + " >/dev/null").c_str()) != 0)
+      return std::string("without ") + tool + ": package " + package;
+  }
+  return "";
 }
 
 /// Whether a file is a fragment shader in GLSL or HLSL, by glslangValidator, and good SPIR-V, by spirv-val.

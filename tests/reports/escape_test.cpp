@@ -69,7 +69,7 @@ TEST(Escape, JsonReadsBackAndHasNoCharacterThatIsNotShown) {
 TEST(Escape, FewFilesReadTextOfOthersUnescaped) {
   const std::set<std::string> allowed{
       "app/commands/study_proof_command.cpp", "app/commands/study_verbs.cpp",  "app/studies/find_study.cpp",
-      "bench/studies/measure_study.cpp",      "fit/study/read_study.cpp",      "fit/study/require_values.cpp",
+      "bench/tradeoff/study_forms.cpp",       "fit/study/read_study.cpp",      "fit/study/require_values.cpp",
       "fit/support/others_text.hpp",          "fit/verdicts/study_claims.cpp", "lint/known/known_set.cpp",
       "reports/gallery/gallery.cpp",          "reports/io/escape.cpp",         "reports/rows/citation.cpp",
       "reports/studies/study_rows.cpp"};

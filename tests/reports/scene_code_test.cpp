@@ -130,6 +130,8 @@ std::string calls(const std::vector<ShaderFunction>& functions, const std::strin
 }
 
 TEST(SceneCode, CompilesAsGlslAndHlsl) {
+  const std::string reason = testing::reason_without_shaders();
+  if (!reason.empty()) GTEST_SKIP() << reason;
   const TemporaryDirectory directory;
   for (Case c : cases()) {
     for (const auto precision : {scene::PixelPrecision::float32, scene::PixelPrecision::float16}) {

@@ -13,7 +13,7 @@ namespace shadefit::device {
 namespace {
 
 /// The places, rounded to the precision: so the error is that of the form, not of its argument.
-Places held(Places places, ShaderPrecision precision) {
+bench::Places held(bench::Places places, ShaderPrecision precision) {
   if (precision == ShaderPrecision::float16) {
     for (std::vector<float>& axis : places) {
       for (float& x : axis) x = static_cast<float>(round_to_half(x));
@@ -23,7 +23,7 @@ Places held(Places places, ShaderPrecision precision) {
 }
 
 /// All arguments of the first place, then those of the second, and so on.
-std::vector<float> arguments_of(const Places& places) {
+std::vector<float> arguments_of(const bench::Places& places) {
   std::vector<float> arguments;
   for (std::size_t i = 0; i < places.front().size(); ++i) {
     for (const std::vector<float>& axis : places) arguments.push_back(axis[i]);
@@ -39,40 +39,30 @@ std::vector<float> read_values(std::span<const std::uint32_t> words) {
 
 }  // namespace
 
-double largest_error(std::span<const float> values, std::span<const double> truth) {
-  double largest = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double error = std::abs(static_cast<double>(values[i]) - truth[i]);
-    if (std::isnan(error)) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, error);
-  }
-  return largest;
-}
-
-DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms) {
+DeviceChoice choice_for_values(std::size_t place, const bench::FormsToTime& forms) {
   DeviceChoice choice{.place = place, .words = threads_per_group};
-  for (const DeviceTarget& target : forms.targets) {
+  for (const bench::FormTarget& target : forms.targets) {
     if (!target.places.empty())
       choice.words = std::max(choice.words, target.places.size() * target.places.front().size());
   }
   return choice;
 }
 
-std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between) {
   const ShaderCompiler compiler;
   std::vector<std::optional<double>> errors;
-  const DeviceTarget* target = nullptr;
+  const bench::FormTarget* target = nullptr;
   std::vector<double> truth;
   std::vector<float> arguments;
-  for (const DeviceForm& form : forms.forms) {
+  for (const bench::FormToTime& form : forms.forms) {
     between();
     if (target != &forms.targets.at(form.target)) {
       target = &forms.targets.at(form.target);
       truth.clear();
       if (target->truth) {
-        const Places places = held(target->places, precision);
+        const bench::Places places = held(target->places, precision);
         truth = target->truth(places);
         arguments = arguments_of(places);
       }
@@ -82,7 +72,7 @@ std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const 
       continue;
     }
     Evaluator evaluator(device, compiler, form.function, ShaderLanguage::glsl, Arguments::input, precision);
-    errors.emplace_back(largest_error(read_values(evaluator.of_input(arguments)), truth));
+    errors.emplace_back(bench::largest_error(read_values(evaluator.of_input(arguments)), truth));
   }
   return errors;
 }

@@ -21,15 +21,12 @@ class Measured {
 
   /// ns per element of that work, less the time of the empty kernel.
   Rounds step(std::size_t slot) const {
-    Rounds ns = samples_.at(slot).real;
-    const double idle = bench::spread_of(samples_.at(Programme::empty).real).median;
+    Rounds ns = samples_.at(slot).ns;
+    const double idle = bench::spread_of(samples_.at(Programme::empty).ns).median;
     for (double& x : ns) x -= idle / static_cast<double>(programme_.elements(slot));
     return ns;
   }
   const bench::Samples& samples(std::size_t slot) const { return samples_.at(slot); }
-  long elements(std::size_t slot) const {
-    return samples_.at(slot).calls * static_cast<long>(programme_.elements(slot));
-  }
 
  private:
   const Programme& programme_;
@@ -75,15 +72,15 @@ struct InPrecision {
   bool is_half() const { return precision == ShaderPrecision::float16; }
 };
 
-InPrecision add_all(Programme& programme, const DeviceForms& forms, ShaderPrecision precision) {
-  const std::array unit{Range{0, 1}};
-  InPrecision all{
-      precision,
-      {programme.add(chain_alone(), unit, precision), programme.add(multiply_add_chain(), unit, precision)},
-      {},
-      {}};
-  const DeviceForm* last = nullptr;
-  for (const DeviceForm& form : forms.forms) {
+InPrecision add_all(Programme& programme, const bench::FormsToTime& forms, ShaderPrecision precision) {
+  const std::array unit{bench::Range{0, 1}};
+  InPrecision all{precision,
+                  {programme.add(chain_alone(), unit, precision),
+                   programme.add(bench::multiply_add_chain(), unit, precision)},
+                  {},
+                  {}};
+  const bench::FormToTime* last = nullptr;
+  for (const bench::FormToTime& form : forms.forms) {
     const bool is_timed = last != nullptr && last->target == form.target && last->shape == form.shape;
     all.forms.push_back(is_timed
                             ? all.forms.back()
@@ -98,23 +95,12 @@ using ByChain = std::array<double, chains.size()>;
 /// A row with times. `mads` has the time of a multiply-add in float for each chain.
 bench::TimedForm timed_row(bench::TimedForm row, const std::array<Rounds, chains.size()>& times,
                            const ByChain& mads, bool is_half) {
-  row.real = times[0];
   row.ns = bench::spread_of(times[0]);
   const double dependent = bench::spread_of(times[1]).median;
   row.multiply_adds = row.ns.median / mads[0];
-  row.on_device = {is_half, dependent, dependent / mads[1]};
-  return row;
-}
-
-/// The copy or the empty kernel: what has no chain.
-bench::TimedForm plain_row(const char* name, const Measured& measured, std::size_t slot, const Rounds& ns) {
-  bench::TimedForm row;
-  row.form = row.label = name;
-  row.real = ns;
-  row.ns = bench::spread_of(ns);
-  row.cpu = measured.samples(slot).cpu;
-  row.elements = measured.elements(slot);
-  row.on_device.emplace();
+  row.is_half = is_half;
+  row.dependent_ns = dependent;
+  row.dependent_multiply_adds = dependent / mads[1];
   return row;
 }
 
@@ -131,32 +117,26 @@ void require_above_zero(const ByChain& mads) {
   }
 }
 
-/// The rows without a form: the copy, the empty dispatch, and a multiply-add in each precision.
+/// The rows without a form: the empty dispatch, and a multiply-add in each precision.
 std::vector<bench::TimedForm> floor_rows(const Measured& measured, const std::vector<InPrecision>& all,
                                          const ByChain& mads) {
-  std::vector<bench::TimedForm> rows{
-      plain_row("copy", measured, Programme::copy, measured.step(Programme::copy)),
-      plain_row("empty-dispatch", measured, Programme::empty, measured.samples(Programme::empty).real)};
-  for (const InPrecision& one : all) {
-    bench::TimedForm row;
-    row.form = row.label = "multiply-add";
-    row.elements = measured.elements(one.floor.polynomial[0]) * forms::MultiplyAdds::count;
-    row.cpu = measured.samples(one.floor.polynomial[0]).cpu;
-    rows.push_back(timed_row(row, one.floor.multiply_adds(measured), mads, one.is_half()));
-  }
+  std::vector<bench::TimedForm> rows{{.form = "empty-dispatch",
+                                      .label = "empty-dispatch",
+                                      .ns = bench::spread_of(measured.samples(Programme::empty).ns)}};
+  for (const InPrecision& one : all)
+    rows.push_back(timed_row({.form = "multiply-add", .label = "multiply-add"},
+                             one.floor.multiply_adds(measured), mads, one.is_half()));
   return rows;
 }
 
 /// The row of form i in one precision.
-bench::TimedForm form_row(const DeviceForm& form, std::size_t i, const InPrecision& one,
+bench::TimedForm form_row(const bench::FormToTime& form, std::size_t i, const InPrecision& one,
                           const Measured& measured, const ByChain& mads) {
   const Slots& slots = one.forms.at(i);
   const std::size_t arguments = form.function.arguments.size();
   bench::TimedForm row = form.row;
   // An error that is known without a device is that of exact arithmetic: float is close to it, half is not.
   if (one.errors.at(i) || one.is_half()) row.max_abs_error = one.errors[i];
-  row.elements = measured.elements(slots[0]);
-  row.cpu = measured.samples(slots[0]).cpu;
   return timed_row(row,
                    {one.floor.evaluation(measured, slots, 0, arguments),
                     one.floor.evaluation(measured, slots, 1, arguments)},
@@ -165,12 +145,9 @@ bench::TimedForm form_row(const DeviceForm& form, std::size_t i, const InPrecisi
 
 }  // namespace
 
-DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan) {
-  return {.place = place, .words = plan.copied_words, .has_buffers_on_device = true};
-}
-
-bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, const DeviceForms& forms,
-                               const DevicePlan& plan, const std::function<void(double)>& between) {
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values,
+                               const bench::FormsToTime& forms, const bench::TimingPlan& plan,
+                               const std::function<void(double)>& between) {
   const DeviceInfo info = for_times.info();
   const auto go_on = [&] { between(0); };
   Programme programme(for_times, plan, go_on);
@@ -180,14 +157,13 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
   const Measured measured(programme, programme.run(between));
 
   bench::Trade trade;
-  trade.machine = bench::this_machine();
-  trade.machine.device = info.name;
-  trade.machine.driver = info.driver;
-  trade.machine.clock = name_of_clock(info);
-  for (const DeviceTarget& target : forms.targets) trade.targets.push_back(target.heading);
+  trade.machine = {bench::this_cpu(), "", info.name, info.driver, name_of_clock(info)};
+  trade.rounds = plan.rounds;
+  trade.shows_all_sets = forms.are_of_a_study;
+  for (const bench::FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
   const ByChain mads = medians(all.front().floor.multiply_adds(measured));
   require_above_zero(mads);
-  trade.copies = floor_rows(measured, all, mads);
+  trade.forms = floor_rows(measured, all, mads);
   for (std::size_t i = 0; i < forms.forms.size(); ++i) {
     for (const InPrecision& one : all)
       trade.forms.push_back(form_row(forms.forms[i], i, one, measured, mads));

@@ -4,30 +4,23 @@
 #include <optional>
 #include <vector>
 
-#include "bench/device/times/device_forms.hpp"
 #include "bench/device/times/programme.hpp"
 #include "bench/device/vulkan_device.hpp"
-#include "bench/tradeoff/trade.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 
 /// Times and errors of forms on a device.
 namespace shadefit::device {
 
-/// The largest |value - truth|, or infinity if a value is NaN.
-double largest_error(std::span<const float> values, std::span<const double> truth);
-
 /// How to open the device at a place for the values of these forms: its buffers are readable from here.
-DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms);
+DeviceChoice choice_for_values(std::size_t place, const bench::FormsToTime& forms);
 
 /// The largest absolute error of each form on a device, in one precision. Empty if the target has no truth.
-std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between);
 
-/// How to open the device at a place for times: its buffers are in its own memory.
-DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan);
-
-/// Measures forms on a device: in float, and in half if the device has it. The device is opened twice: by
-/// `choice_for_times`, and by `choice_for_values` for the errors.
+/// Measures forms on a device: in float, and in half if the device has it. The device is opened twice:
+/// with buffers in its own memory, and by `choice_for_values` for the errors.
 ///
 /// The time of a form is that of one turn of its shader, divided by the evaluations of a turn, less the time
 /// of the chain: that of the shader whose function returns its argument, and a multiply-add for each argument
@@ -35,9 +28,10 @@ DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan);
 /// their number. Each round visits all shaders, and differences are taken within a round. The median time of
 /// the empty kernel, a dispatch of no turns, is subtracted from every dispatch.
 ///
-/// `copies` of the trade has the floors: the copy of a word, the empty dispatch, a multiply-add. Throws
+/// The first forms of the trade, without a target, are the empty dispatch and a multiply-add. Throws
 /// CheckFailed if the median time of a multiply-add is not above 0.
-bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, const DeviceForms& forms,
-                               const DevicePlan& plan, const std::function<void(double)>& between);
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values,
+                               const bench::FormsToTime& forms, const bench::TimingPlan& plan,
+                               const std::function<void(double)>& between);
 
 }  // namespace shadefit::device

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/device/form_functions.hpp"
 #include "bench/device/vulkan_device.hpp"
-#include "bench/forms/forms.hpp"
 #include "fit/scalars/symbolic.hpp"
 
 namespace shadefit::device {
@@ -31,24 +29,16 @@ std::string_view type_of(ShaderPrecision precision) {
 
 /// The thread's point in a range: the middle of one of 1024 equal parts. Each argument visits them in another
 /// order.
-std::string place_in(const Range& range, std::size_t argument) {
+std::string place_in(const bench::Range& range, std::size_t argument) {
   constexpr int places = 1024;
   constexpr std::array steps{397, 631, 829, 1021};  // odd: each visits all places
   return fmt::format("{:.9e} + {:.9e} * ((float((gl_GlobalInvocationID.x * {}u) & {}u) + 0.5) / {}.0)",
                      range.from, range.to - range.from, steps.at(argument), places - 1, places);
 }
 
-/// A shader that runs a statement for each of the first words of the buffers.
-std::string words_shader(std::string_view with_word_i) {
-  return head() + fmt::format(
-                      "\nvoid main() {{\n"
-                      "  for (uint i = gl_GlobalInvocationID.x; i < push.count; i += push.factor) {}\n}}\n",
-                      with_word_i);
-}
-
 }  // namespace
 
-std::string timing_shader(const ShaderFunction& function, std::span<const Range> ranges,
+std::string timing_shader(const ShaderFunction& function, std::span<const bench::Range> ranges,
                           ShaderPrecision precision, Chain chain) {
   const std::string_view type = type_of(precision);
   const std::uint32_t streams = chain == Chain::independent ? 4 : 1;
@@ -71,20 +61,8 @@ std::string timing_shader(const ShaderFunction& function, std::span<const Range>
   return code + fmt::format("  }}\n  result[gl_GlobalInvocationID.x] = {};\n}}\n", sum);
 }
 
-std::string copying_shader() {
-  return words_shader("result[i] = uintBitsToFloat(given[i]);");
-}
-std::string filling_shader() {
-  return words_shader("{ given[i] = i; result[i] = 0.0; }");
-}
-
 ShaderFunction chain_alone() {
-  return {form_name, {"c"}, Symbolic::variable("c")};
-}
-
-ShaderFunction multiply_add_chain() {
-  using Form = forms::MultiplyAdds;
-  return {form_name, {"c"}, Form()(Symbolic::variable("c"), Form::prepared(std::array<Symbolic, 0>()))};
+  return {bench::form_name, {"c"}, Symbolic::variable("c")};
 }
 
 }  // namespace shadefit::device

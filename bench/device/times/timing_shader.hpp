@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "reports/code/shader_code.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 
 /// Compute shaders in GLSL that measure the time of a function, and the times that are subtracted from it.
 namespace shadefit::device {
@@ -22,27 +22,14 @@ inline constexpr std::uint32_t evaluations_a_turn = 8;
 /// The factor is the least normal half: it changes no argument by more than the spacing of halves below 1.
 inline constexpr float chain_factor = 0x1p-14F;
 
-/// The range of an argument.
-struct Range {
-  double from, to;
-};
-
 /// Evaluates a function, in the text that `emit` writes, `evaluations_a_turn` times per turn. Each argument
 /// is b + t r: b is the thread's own point in the range of the argument, t a factor that the compiler does
 /// not know, r the result of an earlier evaluation. So the compiler cannot leave out an evaluation, and
 /// little memory is written: one word per thread. With no turns it is the empty kernel.
-std::string timing_shader(const ShaderFunction& function, std::span<const Range> ranges,
+std::string timing_shader(const ShaderFunction& function, std::span<const bench::Range> ranges,
                           ShaderPrecision precision, Chain chain);
-
-/// Copies words from the input to the output. The push words are the number of words and of threads.
-std::string copying_shader();
-/// Writes each word of both buffers, so that there is memory behind them. The same push words.
-std::string filling_shader();
 
 /// The function that returns its argument: it gives the time of the chain itself.
 ShaderFunction chain_alone();
-
-/// `forms::MultiplyAdds`: each multiply-add waits for the one before.
-ShaderFunction multiply_add_chain();
 
 }  // namespace shadefit::device

@@ -6,7 +6,7 @@
 
 namespace peer_tasks {
 
-/// Minimax fits, the largest error of the published pair, and normalisations.
-std::vector<Variant> other_tasks();
+/// Minimax fits, the largest error of the published pair, normalisations, and fits from text.
+std::vector<Task> other_tasks();
 
 }  // namespace peer_tasks

@@ -1,4 +1,4 @@
-#include "bench/studies/compiled_code.hpp"
+#include "bench/tradeoff/compiled_code.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

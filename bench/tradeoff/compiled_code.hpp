@@ -9,7 +9,7 @@ namespace shadefit::bench {
 /// lives.
 class CompiledCode {
  public:
-  /// Optimised, one number at a time, without fused multiply-adds, as the scalar forms of bench/forms. The
+  /// Optimised, one number at a time, without fused multiply-adds. The
   /// compiler is the one that the variable CC names, otherwise `cc`. Throws UserError if it cannot compile.
   explicit CompiledCode(const std::string& source);
   ~CompiledCode();

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+/// Every form over arrays, in each arithmetic.
+namespace shadefit::forms {
+
+/// The arrays of a kernel. Arrays that a target does not use are null.
+template <class Real>
+struct Arrays {
+  std::array<const Real*, 3> in{};      ///< the cosines; of a target with lights the normal's x, y and z
+  const std::uint8_t* codes = nullptr;  ///< the 8-bit gloss of each element
+  Real* out = nullptr;
+  std::size_t size = 0;
+};
+
+/// A form over arrays. `parameters` are its constants in the order of its formula, those of the target (the
+/// exponent, the lights) before those of the form.
+template <class Real>
+using Kernel = void (*)(const Arrays<Real>&, std::span<const Real> parameters);
+
+/// A form and its exp2. A kernel is null if there is none.
+struct FormKernels {
+  std::string_view form;  ///< the id of a form of the catalogue (bench/forms/catalogue.hpp)
+  int exp2_degree = 0;    ///< of the polynomial in its exp2; 0: the library's, or none
+  Kernel<float> in_float = nullptr;
+  Kernel<double> in_double = nullptr;
+  // Only of degree 0. The functions of the first two are the same on every machine: they are evaluated in
+  // long double and rounded once.
+  Kernel<float> exact_float = nullptr;
+  Kernel<double> exact_double = nullptr;
+  Kernel<Eigen::half> in_half = nullptr;
+  Kernel<long double> in_long_double = nullptr;
+};
+
+/// All of them, form by form.
+std::span<const FormKernels> all_kernels();
+
+/// The kernels of a form with an exp2 of that degree, or null.
+const FormKernels* find_kernels(std::string_view form, int exp2_degree = 0);
+
+}  // namespace shadefit::forms

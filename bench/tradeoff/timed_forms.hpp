@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/forms/catalogue.hpp"
+#include "bench/tradeoff/trade.hpp"
+#include "fit/better/better_study.hpp"
+#include "reports/code/shader_code.hpp"
+
+/// What is timed, on this processor or on a graphics device: forms of the catalogue or of a study, each as
+/// the code that `emit` writes for it.
+namespace shadefit::bench {
+
+/// The range of an argument.
+struct Range {
+  double from, to;
+};
+
+/// The floats of each argument, the same number for all.
+using Places = std::vector<std::vector<float>>;
+
+/// What forms approximate.
+struct FormTarget {
+  TimedTarget heading;
+  std::vector<Range> ranges;  ///< of its arguments
+  Places places;              ///< where its forms are compared with it on a device
+  /// The target in double at any places. Empty for measured rows.
+  std::function<std::vector<double>(const Places&)> truth;
+};
+
+/// A form with one set of its constants.
+struct FormToTime {
+  std::size_t target;  ///< its place among the targets
+  TimedForm row;       ///< names and an error, no times
+  std::string shape;   ///< forms of one target with the same text here have the same time
+  ShaderFunction function;
+};
+
+struct FormsToTime {
+  std::vector<FormTarget> targets;
+  std::vector<FormToTime> forms;  ///< by target; those of one shape follow each other
+  bool are_of_a_study = false;
+};
+
+/// The name of each function.
+inline constexpr const char* form_name = "form";
+
+/// Sums of several lights, which repeat the forms of one light.
+bool is_of_several_lights(const forms::Target& target);
+
+/// The function that `emit` would write for a form of the catalogue: all constants are numbers. Its arguments
+/// are c, or c and code, or the x, y and z of a normal. The target is not of several lights.
+ShaderFunction function_of(const forms::Target& target, const forms::FormEntry& form,
+                           const forms::Constants& constants);
+
+/// Which exp2 the forms of the catalogue have.
+enum class Exp2Kinds {
+  library,      ///< that of the library, as on a device
+  polynomials,  ///< that one, and each polynomial in place of it
+};
+
+/// The forms of the catalogue for these targets, or for all of them. Forms of several lights are left out:
+/// they are sums of one light. Errors are the largest in float on a dense grid, against the target in double.
+/// Throws UserError if only such targets are asked for.
+FormsToTime catalogue_forms(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
+                            Exp2Kinds exp2);
+
+/// The forms of a study and its targets. Errors are those of exact arithmetic. Throws UserError for a form
+/// that has no code in that language, and if there is nothing to time because no fit converged and nothing
+/// was published.
+FormsToTime study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons,
+                        Language language);
+
+/// `forms::MultiplyAdds`: each multiply-add waits for the one before.
+ShaderFunction multiply_add_chain();
+
+/// The largest |value - truth|, or infinity if a value is NaN.
+double largest_error(std::span<const float> values, std::span<const double> truth);
+
+}  // namespace shadefit::bench
