@@ -60,9 +60,7 @@ std::optional<bench::Medians> older_run(const BenchOptions& options) {
   // A whole bench writes 13 MB.
   constexpr std::uintmax_t most_bytes = 64U << 20;
   using findings::name;
-  const bool is_about_findings =
-      options.format == FindingFormat::junit || options.format == FindingFormat::github;
-  if (is_about_findings && !options.compare)
+  if (options.format == FindingFormat::github && !options.compare)
     throw UserError(
         fmt::format("--format '{}' needs --compare: without it bench checks nothing", name(options.format)));
   if (!options.compare) return std::nullopt;

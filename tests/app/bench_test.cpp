@@ -91,7 +91,7 @@ TEST(BenchCommand, ComparesWithAnOlderRun) {
     if (row["run_name"] == name) row["real_time"] = row["real_time"].get<double>() / 1e6;
   }
   directory.file("faster.json", json.dump());
-  for (const char* format : {"text", "json", "junit", "github", "markdown"}) {
+  for (const char* format : {"text", "json", "github", "markdown"}) {
     const Outcome bad = run({"--compare", faster, "--fail-above", "9900%", "--format", format});
     EXPECT_EQ(bad.exit_code, 1) << format;
     const bool is_on_error = std::string(format) == "text" || std::string(format) == "json";
@@ -113,8 +113,8 @@ TEST(BenchCommand, ComparesWithAnOlderRun) {
 TEST(BenchCommand, RefusesComparisonsThatCannotBe) {
   const TemporaryDirectory directory;
   EXPECT_EQ(
-      refusal({"--format", "junit"}),
-      "shadefit: --format 'junit' needs --compare: without it bench checks nothing (see 'shadefit help bench')\n");
+      refusal({"--format", "github"}),
+      "shadefit: --format 'github' needs --compare: without it bench checks nothing (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--fail-above", "10%"}),
             "shadefit: --fail-above requires --compare (see 'shadefit help bench')\n");
   for (const char* share : {"10", "0%", "-1%", "%"})
