@@ -78,7 +78,12 @@ void require_writable(const fs::path& directory) {
                     quoted_path(directory), error.message()));
   }
   fs::path part = whole;
-  while (!fs::exists(fs::symlink_status(part, error)) && part != part.root_path()) part = part.parent_path();
+  fs::file_status status = fs::symlink_status(part, error);
+  while (status.type() == fs::file_type::not_found) {
+    part = part.parent_path();
+    status = fs::symlink_status(part, error);
+  }
+  if (!fs::status_known(status)) fail_to("create directory", directory, error.message());
   const bool is_there = part == whole;
   if (!fs::is_directory(part, error)) {
     throw UserError(fmt::format(

@@ -42,6 +42,9 @@ TEST(Files, RefusesADirectoryThatIsAFileOrLiesBelowOne) {
   EXPECT_EQ(refusal([&] { require_writable(directory / "new/one"); }), "");
   EXPECT_EQ(snapshot(directory.path()).size(), 1U) << "asking creates nothing";
   EXPECT_NE(refusal([] { require_writable("/proc"); }), "");
+  const std::string too_long = directory / std::string(300, 'x');
+  EXPECT_EQ(refusal([&] { require_writable(too_long); }),
+            "cannot create directory '" + too_long + "': File name too long");
 }
 
 // The last file cannot be written: its place is a directory, its name is too long, the disk is full.
