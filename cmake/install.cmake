@@ -36,7 +36,7 @@ if(TARGET shadefit)
     FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
   # The command writes its own manual page and completions, each time it is linked.
   foreach(page IN ITEMS man=${CMAKE_INSTALL_MANDIR}/man1/shadefit.1 bash=${CMAKE_INSTALL_DATADIR}/bash-completion/completions/shadefit
-      zsh=${CMAKE_INSTALL_DATADIR}/zsh/site-functions/_shadefit fish=${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d/shadefit.fish)
+      zsh=${CMAKE_INSTALL_DATADIR}/zsh/site-functions/_shadefit)
     string(REGEX MATCH "^([a-z]+)=(.*)/([^/]+)$" page "${page}")
     set(made ${PROJECT_BINARY_DIR}/completion/${CMAKE_MATCH_1}/${CMAKE_MATCH_3})
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/completion/${CMAKE_MATCH_1})

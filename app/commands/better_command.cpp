@@ -44,33 +44,20 @@ std::vector<Setting> settings_to_compare(const NamedFit& named, const FitOptions
   return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
 }
 
-std::string console_text(const Comparison& comparison, const Terminal& terminal,
-                         const Checkpoint& checkpoint) {
-  const auto in_half = curves_in_half(comparison, checkpoint);
-  std::string text =
-      fmt::format("{}: max abs error proven to a relative {:g}; the last printed digit may be off by one\n",
-                  target_of(comparison), usual_width) +
-      write_console(comparison_table(comparison), Precision::report, terminal) +
-      left_out_lines(comparison.left_out);
-  if (in_half.empty()) return text;
-  return text + "In half, every operation rounded, the largest error over every input:\n" +
-         write_console(half_table(in_half), Precision::report, terminal);
+std::string console_text(const Comparison& comparison, const Terminal& terminal) {
+  return fmt::format(
+             "{}: max abs error proven to a relative {:g}; the last printed digit may be off by one\n",
+             target_of(comparison), usual_width) +
+         write_console(comparison_table(comparison), Precision::report, terminal) +
+         left_out_lines(comparison.left_out);
 }
 
-std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options,
-                             const Checkpoint& checkpoint) {
+std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options) {
   if (options.csv) return write_csv(comparisons_table(comparisons, Precision::full), Precision::full);
-  if (options.json) {
-    auto array = nlohmann::ordered_json::array();
-    for (const Comparison& comparison : comparisons) {
-      array.push_back(write_comparison_json(comparison));
-      array.back()["in_half"] = write_half_json(curves_in_half(comparison, checkpoint));
-    }
-    return json_text_of_each(array);
-  }
+  if (options.json) return json_text_of_each(json_array(comparisons, write_comparison_json));
   return joined(comparisons, "\n", [&](const Comparison& comparison) {
     return options.latex ? write_latex(comparison_table(comparison, options.digits), Precision::report)
-                         : console_text(comparison, options.terminal, checkpoint);
+                         : console_text(comparison, options.terminal);
   });
 }
 
@@ -102,8 +89,7 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
   const auto put = options.plot ? draw_picture(better_figure(comparisons.front()), *options.plot,
                                                options.force, checkpoint)
                                 : std::function<void()>();
-  return with_picture({err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err, put},
-                      options);
+  return with_picture({err.empty() ? 0 : 1, comparisons_text(comparisons, options), err, put}, options);
 }
 
 }  // namespace shadefit

@@ -2,9 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include "app/commands/declare_commands.hpp"
@@ -62,14 +60,14 @@ bool takes_value(const CLI::Option& option) {
 
 /// The shell code that completes words, paths, or nothing.
 struct Actions {
-  std::string begin, words, paths, nothing, is_option, end;
+  const char *begin, *words, *paths, *nothing, *is_option, *end;
 };
 
 /// Bash and zsh have the same shape: after a first word, cases of command and word before the cursor.
 std::string by_cases(const CLI::App& app, const Actions& actions) {
   // A branch of a case statement: a command, the word before the cursor, and how to complete what follows.
   constexpr const char* branch = "    {}:{}) {} ;;\n";
-  const auto offer = [&](const std::string& type) {
+  const auto offer = [&](const std::string& type) -> std::string {
     const Words words = words_for(app, type);
     if (!words.empty()) return fmt::format(fmt::runtime(actions.words), fmt::join(words, " "));
     return is_path(type) ? actions.paths : actions.nothing;
@@ -96,66 +94,34 @@ std::string by_cases(const CLI::App& app, const Actions& actions) {
   return out + actions.end;
 }
 
-std::string bash_completion(const CLI::App& app) {
-  return by_cases(
-      app,
-      {.begin = "# Completes shadefit in bash: made by 'shadefit --completion bash'.\n"
-                "_shadefit() {{\n"
-                "  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=\n"
-                "  COMPREPLY=()\n"
-                "  if [ \"$COMP_CWORD\" -eq 1 ]; then words='{}'\n"
-                "  else case ${{COMP_WORDS[1]}}:$previous in\n",
-       .words = "words='{}'",
-       .paths = "return",  // then `-o default` completes a path
-       .nothing = "compopt +o default 2>/dev/null; return",
-       .is_option = "[[ $current == -* ]]",
-       .end = "  esac; fi\n"
-              "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
-              "}\n"
-              "complete -o default -F _shadefit shadefit\n"});
-}
+constexpr Actions bash{
+    .begin =
+        "# Completes shadefit in bash: made by 'shadefit --completion bash'.\n"
+        "_shadefit() {{\n"
+        "  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=\n"
+        "  COMPREPLY=()\n"
+        "  if [ \"$COMP_CWORD\" -eq 1 ]; then words='{}'\n"
+        "  else case ${{COMP_WORDS[1]}}:$previous in\n",
+    .words = "words='{}'",
+    .paths = "return",  // then `-o default` completes a path
+    .nothing = "compopt +o default 2>/dev/null; return",
+    .is_option = "[[ $current == -* ]]",
+    .end =
+        "  esac; fi\n"
+        "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+        "}\n"
+        "complete -o default -F _shadefit shadefit\n"};
 
-std::string zsh_completion(const CLI::App& app) {
-  return by_cases(app, {.begin = "#compdef shadefit\n"
-                                 "# Made by 'shadefit --completion zsh'.\n"
-                                 "if (( CURRENT == 2 )); then compadd -- {}\n"
-                                 "else case ${{words[2]}}:${{words[CURRENT-1]}} in\n",
-                        .words = "compadd -- {}",
-                        .paths = "_files",
-                        .nothing = "return 1",
-                        .is_option = "[[ $PREFIX == -* ]]",
-                        .end = "  esac\nfi\n"});
-}
-
-/// A text in single quotes, where \ and ' are escaped.
-std::string fish_quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-  return quoted + "'";
-}
-
-std::string fish_completion(const CLI::App& app) {
-  std::string out =
-      "# Completes shadefit in fish: made by 'shadefit --completion fish'.\ncomplete -c shadefit -f\n";
-  for (const CLI::App* command : app.get_subcommands({})) {
-    out += fmt::format("complete -c shadefit -n __fish_use_subcommand -a {} -d {}\n", command->get_name(),
-                       fish_quoted(command->get_description()));
-    for (const CLI::Option* option : command->get_options()) {
-      out += fmt::format("complete -c shadefit -n '__fish_seen_subcommand_from {}'", command->get_name());
-      const Words words = words_for(app, option->get_type_name());
-      if (!option->get_positional())
-        out +=
-            fmt::format(" -l {} -d {}", option->get_lnames().front(), fish_quoted(option->get_description()));
-      if (is_path(option->get_type_name())) {
-        out += " -F";
-      } else if (takes_value(*option) && !option->get_positional()) {
-        out += " -x";
-      }
-      out += words.empty() ? "\n" : fmt::format(" -a '{}'\n", fmt::join(words, " "));
-    }
-  }
-  return out;
-}
+constexpr Actions zsh{.begin =
+                          "#compdef shadefit\n"
+                          "# Made by 'shadefit --completion zsh'.\n"
+                          "if (( CURRENT == 2 )); then compadd -- {}\n"
+                          "else case ${{words[2]}}:${{words[CURRENT-1]}} in\n",
+                      .words = "compadd -- {}",
+                      .paths = "_files",
+                      .nothing = "return 1",
+                      .is_option = "[[ $PREFIX == -* ]]",
+                      .end = "  esac\nfi\n"};
 
 /// A text for groff: '-' and '\' are escaped, and no line begins with a groff command.
 std::string roff(const std::string& text) {
@@ -198,12 +164,10 @@ std::string manual_page(const CLI::App& app) {
 }  // namespace
 
 std::string completion(const CLI::App& app, const std::string& shell) {
-  constexpr std::array<std::pair<std::string_view, std::string (*)(const CLI::App&)>, 4> all{
-      {{"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}, {"man", manual_page}}};
-  for (const auto& [name, make] : all) {
-    if (name == shell) return make(app);
-  }
-  throw UserError(fmt::format("--completion '{}' is unknown: it must be one of bash, zsh, fish, man", shell));
+  if (shell == "bash") return by_cases(app, bash);
+  if (shell == "zsh") return by_cases(app, zsh);
+  if (shell == "man") return manual_page(app);
+  throw UserError(fmt::format("--completion '{}' is unknown: it must be one of bash, zsh, man", shell));
 }
 
 }  // namespace shadefit

@@ -71,7 +71,7 @@ void declare_commands(CLI::App& app, Call& call) {
   app.require_subcommand(1);
   app.get_help_ptr()->description("print this help");
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION, "print the version");
-  app.add_option("--completion", "completions of bash, zsh or fish, or the manual page")->group("");
+  app.add_option("--completion", "the completions of bash or zsh, or the manual page")->group("");
   const auto add = [&](const auto&... what) { add_command(app, call, what...); };
   add("list", "every constant and claim: id, printed value, source",
       "  shadefit list --topic fresnel\n  shadefit list --verdict refuted\n  shadefit list acos\n",
@@ -98,7 +98,7 @@ void declare_commands(CLI::App& app, Call& call) {
       "  shadefit certify --target 'acos(x)' --form 'a sqrt(1-x)' --over x=0:1\n",
       declare_certify, certify_command);
   add("verify", "check a certificate again, on the intervals that it names",
-      "  shadefit verify pair.json\n  shadefit verify pair.json --format junit\n", declare_verify,
+      "  shadefit verify pair.json\n  shadefit verify pair.json --format github\n", declare_verify,
       verify_command);
   add("emit", "a form as shader code, generated from its formula",
       "  shadefit emit fresnel-quadratic --lang glsl\n"

@@ -160,6 +160,9 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
     return derived_command(family, *published, options);
 
   const auto settings = settings_for(family, published, options);
+  if (options.plot && settings.size() > 1)
+    throw UserError(fmt::format("--plot '{}' draws one fit, and these are {}: name one with --exponent",
+                                *options.plot, settings.size()));
   const Metric metric = metric_for(options, family, settings);
   FitCache fits(family);
   const Refit refit{&family,

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <memory>
 #include <set>
 #include <system_error>
 
@@ -149,9 +148,8 @@ void judge_again(lint::LintedTree& tree, const std::vector<FixedFile>& files, co
   for (auto& [name, sites] : left) std::ranges::move(sites, std::back_inserter(tree.sites));
 }
 
-/// Writes the files beside the old ones, with their permissions; of a link, the file that it leads to. The
-/// returned call moves them to their places. Throws UserError like `Output::prepare`.
-std::function<void()> prepare_files(const std::vector<FixedFile>& files, const Checkpoint& checkpoint) {
+/// The returned call writes the files, with their permissions; of a link, the file that it leads to.
+std::function<void()> prepare_files(const std::vector<FixedFile>& files) {
   std::map<fs::path, std::vector<File>> by_folder;
   for (const FixedFile& file : files) {
     std::error_code error;
@@ -159,13 +157,9 @@ std::function<void()> prepare_files(const std::vector<FixedFile>& files, const C
     if (error) throw UserError(fmt::format("cannot write '{}': {}", file.name, error.message()));
     by_folder[path.parent_path()].push_back({path.filename().string(), file.after});
   }
-  std::vector<std::shared_ptr<Output>> outputs;
-  for (const auto& [folder, of_folder] : by_folder) {
-    outputs.push_back(std::make_shared<Output>(folder));
-    outputs.back()->prepare(of_folder, {}, Foreign::replaced, checkpoint);
-  }
-  return [outputs] {
-    for (const auto& output : outputs) output->put();
+  for (const auto& [folder, of_folder] : by_folder) require_writable(folder);
+  return [by_folder] {
+    for (const auto& [folder, of_folder] : by_folder) write_files(folder, of_folder);
   };
 }
 
@@ -304,14 +298,11 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     for (const FixedFile& file : files) diffs += unified_diff(file.name, file.before, file.after);
     return {diffs.empty() ? 0 : 1, diffs, warnings_of(linted.skipped)};
   }
-  std::set<fs::path> folders;
-  for (const lint::SourceFile& file : sources.files) folders.insert(fs::path(file.path).parent_path());
-  for (const fs::path& folder : folders) remove_leftovers(folder.empty() ? "." : folder);
   judge_again(linted, files, sources, known, limits, checkpoint);
   Outcome outcome = report_of(linted, shown, given);
   if (files.empty()) return outcome;
   outcome.err += words_of(files);
-  outcome.put = prepare_files(files, checkpoint);
+  outcome.put = prepare_files(files);
   return outcome;
 }
 

@@ -175,9 +175,7 @@ void add_target_or_formula(CLI::App& command, FitOptions& options, const std::st
 }  // namespace
 
 void add_force(CLI::App& command, bool& force) {
-  command.add_flag(
-      "--force", force,
-      "replace a file that shadefit did not write, and a picture that was changed after shadefit wrote it");
+  command.add_flag("--force", force, "replace a file that shadefit did not write");
 }
 
 void add_out(CLI::App& command, std::string& out) {

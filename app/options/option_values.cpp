@@ -208,9 +208,8 @@ CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool h
                 [&](const auto& choice) { return choice.second == FindingFormat::sarif && !has_places; });
   return add_choice(
       command, "--format", format, choices,
-      fmt::format(
-          "the format of the output: text is for people, junit for dashboards, {} and markdown for code hosts",
-          has_places ? "sarif, github" : "github"));
+      fmt::format("the format of the output: text is for people, {} and markdown for code hosts",
+                  has_places ? "sarif, github" : "github"));
 }
 
 findings::FindingReport one_check(const std::string& command, const findings::FindingRule& rule,

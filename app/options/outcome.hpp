@@ -11,8 +11,8 @@ struct Outcome {
                       ///< interrupted it
   std::string out;    ///< for standard output
   std::string err;    ///< for standard error
-  /// Moves the prepared files to their places; empty if there are none. Call it after `out` is printed: if
-  /// printing fails, no file is written. Throws UserError and Interrupted.
+  /// Writes the files; empty if there are none. Call it after `out` is printed: if printing fails, no file is
+  /// written. Throws UserError and Interrupted.
   std::function<void()> put = {};
 };
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/core/noncopyable.hpp>
 #include <cerrno>
 #include <climits>
 #include <cstring>
@@ -23,34 +24,32 @@ namespace fs = std::filesystem;
   throw UserError(fmt::format("cannot write '{}': {}", path.string(), words));
 }
 
-/// Whether a path (such as /dev/fd/3) is a link to an open file of a process. That file may have no name; if
-/// it has one, others may write to it too.
+/// Whether a path names an open descriptor of a process, such as /dev/fd/3. Its file may have no name; if it
+/// has one, others may write to it too.
 bool is_descriptor(const fs::path& path) {
   std::error_code ignored;
   return fs::canonical(path.parent_path(), ignored).string().starts_with("/proc/");
 }
 
 /// The end of a chain of links; it need not exist yet.
-fs::path target_of(const fs::path& link) {
-  constexpr int longest_chain = 40;  // the limit of Linux, path_resolution(7)
-  fs::path path = link;
+fs::path target_of(fs::path path) {
   std::error_code error;
-  for (int i = 0; i <= longest_chain; ++i) {
-    if (is_descriptor(path) || !fs::is_symlink(fs::symlink_status(path, error))) return path;
+  while (!is_descriptor(path) && fs::is_symlink(path, error))
     path = path.parent_path() / fs::read_symlink(path, error);  // an absolute path replaces all of it
-  }
-  fail(link, std::strerror(ELOOP));
+  return path;
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
 }
 
 /// A descriptor that closes itself.
-struct Descriptor {
+struct Descriptor : boost::noncopyable {
   int number;
   explicit Descriptor(int opened) : number(opened) {}
   ~Descriptor() {
     if (number >= 0) ::close(number);
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
 };
 
 /// The wait before the checkpoint is called again: too short to notice after Ctrl-C.
@@ -88,19 +87,18 @@ OutputFile::OutputFile(const std::string& text, const std::string& what) : path_
   std::error_code error;
   if (name.empty() || name == "." || name == ".." || fs::is_directory(path_, error))
     throw UserError(fmt::format("--out '{}' names no file for {}", text, what));
-  path_ = target_of(path_);
   const auto status = fs::status(path_, error);
   if (error && status.type() != fs::file_type::not_found) fail(text, error.message());
-  if (is_descriptor(path_) || (fs::exists(status) && !fs::is_regular_file(status))) return;
-  output_ = std::make_shared<Output>(path_.has_parent_path() ? path_.parent_path() : ".");
+  path_ = target_of(path_);
+  is_stream_ = is_descriptor(path_) || (fs::exists(status) && !fs::is_regular_file(status));
+  if (!is_stream_) require_writable(folder_of(path_));
 }
 
 std::function<void()> OutputFile::prepare(const std::string& content, bool force,
                                           const Checkpoint& checkpoint) const {
   if (is_stream()) return [path = path_, content, checkpoint] { write_stream(path, content, checkpoint); };
-  output_->prepare({{path_.filename().string(), content}}, {}, force ? Foreign::replaced : Foreign::refused,
-                   checkpoint);
-  return [output = output_] { output->put(); };
+  const std::vector<File> files{{path_.filename().string(), content}};
+  return OutputFolder(folder_of(path_)).prepare(files, {}, force, checkpoint);
 }
 
 }  // namespace shadefit

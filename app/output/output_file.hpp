@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@
 namespace shadefit {
 
 /// The destination of an option --out that names a file. A link stays, and its target is written. An existing
-/// destination that is not a regular file (a device, a pipe, an open descriptor such as /dev/stdout) is
+/// destination that is not a regular file (a device, a pipe) and an open descriptor such as /dev/stdout are
 /// written as a stream.
 class OutputFile {
  public:
@@ -22,34 +21,39 @@ class OutputFile {
   OutputFile(const std::string& text, const std::string& what);
 
   /// Whether the content is written as a stream and no file is created.
-  bool is_stream() const { return output_ == nullptr; }
+  bool is_stream() const { return is_stream_; }
 
-  /// Prepares the file. The returned call moves it to its place or writes the stream. Throws UserError like
-  /// `Output::prepare`.
+  /// The returned call writes the file or the stream. Throws UserError if the file is a foreign one and not
+  /// to be replaced (`force`).
   std::function<void()> prepare(const std::string& content, bool force, const Checkpoint& checkpoint) const;
 
  private:
   std::filesystem::path path_;
-  std::shared_ptr<Output> output_;
+  bool is_stream_ = false;
 };
 
-/// The directory of a run, locked by the run from beginning to end.
+/// The directory of a run.
 class OutputFolder {
  public:
-  /// Throws UserError if it cannot be written, or if another run uses it.
-  explicit OutputFolder(const std::string& directory)
-      : output_(std::make_shared<Output>(directory, Company::refused)) {}
+  /// Throws UserError if it cannot be written.
+  explicit OutputFolder(const std::string& directory) : directory_(directory) {
+    require_writable(directory_);
+  }
 
-  /// Prepares the files. The returned call moves them to their places. Throws UserError like
-  /// `Output::prepare`.
+  /// The returned call writes the files and removes the obsolete ones of ours; the checkpoint is called for
+  /// the last time before. Throws UserError if a file is a foreign one and not to be replaced (`force`).
   std::function<void()> prepare(const std::vector<File>& files, const std::vector<File>& obsolete, bool force,
                                 const Checkpoint& checkpoint) const {
-    output_->prepare(files, obsolete, force ? Foreign::replaced : Foreign::refused, checkpoint);
-    return [output = output_] { output->put(); };
+    if (!force) require_own(directory_, files);
+    checkpoint();
+    return [directory = directory_, files, obsolete] {
+      write_files(directory, files);
+      remove_own(directory, obsolete);
+    };
   }
 
  private:
-  std::shared_ptr<Output> output_;
+  std::filesystem::path directory_;
 };
 
 }  // namespace shadefit

@@ -28,7 +28,7 @@ std::string compiler_command() {
 CompiledCode::CompiledCode(const std::string& source) {
   const ScratchDirectory scratch;
   const auto file = [&](const char* name) { return scratch.path() / name; };
-  write_files(scratch.path(), {{"forms.c", source}}, [] {});
+  write_files(scratch.path(), {{"forms.c", source}});
   const std::string command =
       fmt::format("{} {} -o '{}' '{}' -lm 2>'{}'", compiler_command(), flags, file("forms.so").string(),
                   file("forms.c").string(), file("said").string());

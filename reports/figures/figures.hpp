@@ -21,9 +21,7 @@ std::vector<File> plot_files(const std::vector<Figure>& figures);
 Figure better_figure(const Comparison& comparison);
 
 /// The figure of a fit: the target and the form above, the error below, with the level of a minimax fit and
-/// the places where the error touches it. Of a sweep: the parameters and the largest errors over the
-/// exponent, and beside them target, form and error at three exponents. Only converged fits are drawn. Throws
-/// UserError if there is none.
+/// the places where the error touches it. Throws UserError if the first fit did not converge.
 Figure fit_figure(const Refit& refit);
 
 /// Of Fresnel's term, `fresnel` and `fresnel-errors`, for the section of that family: the published forms,

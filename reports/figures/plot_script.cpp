@@ -9,7 +9,6 @@
 #include "reports/io/escape.hpp"
 #include "reports/io/gnuplot_text.hpp"
 #include "reports/io/joined.hpp"
-#include "reports/io/own_file.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -133,10 +132,9 @@ std::string prelude(const Plot& plot) {
   const auto across = [](int pixels) { return static_cast<double>(pixels) / picture_width; };
   const auto up = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
   return fmt::format(
-             "# {0}\n"
              "# Draws {1}.svg from {1}.csv. As PDF or PNG: gnuplot -e \"output='{1}.pdf'\" {1}.gnuplot\n"
-             "# To restyle it, copy it: a copy, x.gnuplot, draws x.svg. The next run replaces this file, or\n"
-             "# refuses to where it was changed.\n"
+             "# {0}\n"
+             "# To restyle it, copy it: a copy, x.gnuplot, draws x.svg. The next run replaces this file.\n"
              "if (!exists('ARG0')) ARG0 = ''\n"
              "if (!exists('output')) output = (strlen(ARG0) > 8 ? ARG0[1:strlen(ARG0)-8] : '{1}') . '.svg'\n"
              "set encoding utf8\n"
@@ -233,7 +231,7 @@ std::string legend_text(const Plot& plot) {
 std::string write_script(const Plot& plot) {
   std::string out = prelude(plot);
   for (const Panel& panel : plot.panels) out += panel_text(plot, panel);
-  return sealed(out + legend_text(plot) + "\nunset multiplot\n", "# ");
+  return out + legend_text(plot) + "\nunset multiplot\n";
 }
 
 std::string range_around(const Table& table, const std::vector<Curve>& curves) {

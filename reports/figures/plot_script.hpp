@@ -66,7 +66,7 @@ struct Plot {
 
 /// The script: run in the directory of its data, it writes NAME.svg, or the file that the variable `output`
 /// names: a PDF or a PNG where that ends with .pdf or .png, else an SVG. Long titles and labels of the legend
-/// have several lines. It is sealed (reports/io/own_file.hpp).
+/// have several lines.
 std::string write_script(const Plot& plot);
 
 /// "[low:high]" around all numbers of these columns, ends rounded outward to a twentieth or so of the span.

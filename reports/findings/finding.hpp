@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// What a check found, as plain data, and its texts for terminals, dashboards and code hosts. They have
+/// What a check found, as plain data, and its texts for terminals, scripts and code hosts. They have
 /// a namespace of their own, because the ledger has a `Finding` too.
 namespace shadefit::findings {
 
@@ -43,14 +43,13 @@ struct FindingReport {
   std::string checked_words;  ///< what was checked: 812 "files", 38000 "numbers"
 };
 
-enum class FindingFormat { text, json, junit, sarif, github, markdown };
-inline constexpr std::array finding_formats{FindingFormat::text,   FindingFormat::json,
-                                            FindingFormat::junit,  FindingFormat::sarif,
+enum class FindingFormat { text, json, sarif, github, markdown };
+inline constexpr std::array finding_formats{FindingFormat::text, FindingFormat::json, FindingFormat::sarif,
                                             FindingFormat::github, FindingFormat::markdown};
 
 constexpr std::string_view name(FindingFormat format) {
-  constexpr std::array<std::string_view, finding_formats.size()> names{"text",  "json",   "junit",
-                                                                       "sarif", "github", "markdown"};
+  constexpr std::array<std::string_view, finding_formats.size()> names{"text", "json", "sarif", "github",
+                                                                       "markdown"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -65,7 +64,6 @@ bool passes(const FindingReport& report);
 /// The report in one of the formats, with a line end at its end where it is not empty:
 /// - text: a line for each finding, as compilers write them, and a line that counts;
 /// - json: an object of our own, docs/output-formats.md;
-/// - junit: XML of JUnit, a test for each rule and file;
 /// - sarif: SARIF 2.1.0 (OASIS, 2020);
 /// - github: workflow commands of GitHub Actions;
 /// - markdown: a summary for $GITHUB_STEP_SUMMARY.

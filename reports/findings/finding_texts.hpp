@@ -30,7 +30,6 @@ std::string summary_of(const FindingReport& report);
 const FindingRule* rule_of(const FindingReport& report, const Finding& finding);
 
 std::string findings_json(const FindingReport& report);
-std::string findings_junit(const FindingReport& report);
 std::string findings_sarif(const FindingReport& report);
 std::string findings_github(const FindingReport& report);
 std::string findings_markdown(const FindingReport& report);

@@ -59,12 +59,10 @@ std::string place_text(const FindingPlace& place) {
 
 std::string summary_of(const FindingReport& report) {
   const FindingCounts counts = count(report);
-  const auto listed = [](const std::vector<std::pair<std::size_t, std::string>>& numbers) {
+  const auto listed = [](const std::vector<std::pair<std::size_t, std::string_view>>& numbers) {
     std::vector<std::string> parts;
-    for (const auto& [number, word] : numbers) {
-      if (number > 0)
-        parts.push_back(word == "suppressed" || word == "known" ? fmt::format("{} {}", number, word)
-                                                                : counted(number, word));
+    for (const auto& [number, words] : numbers) {
+      if (number > 0) parts.push_back(counted(number, words));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
   };
@@ -83,8 +81,8 @@ const FindingRule* rule_of(const FindingReport& report, const Finding& finding) 
 
 std::string write_findings(const FindingReport& report, FindingFormat format) {
   // In the order of `finding_formats`.
-  constexpr std::array writers{findings_text,  findings_json,   findings_junit,
-                               findings_sarif, findings_github, findings_markdown};
+  constexpr std::array writers{findings_text, findings_json, findings_sarif, findings_github,
+                               findings_markdown};
   static_assert(writers.size() == finding_formats.size());
   return writers.at(static_cast<std::size_t>(format))(report);
 }

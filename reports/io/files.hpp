@@ -16,16 +16,8 @@ struct File {
 /// stays, because x may be a link.
 std::filesystem::path without_detours(const std::filesystem::path& directory);
 
-/// Throws UserError where `directory` cannot become one or be written to: it is a file, lies below one, is
-/// relative to a working directory that is gone, or the system lets nothing be created there. It removes its
-/// test file again, so a long run can refuse before it starts.
-void require_directory(const std::filesystem::path& directory);
-
 /// A path as in messages.
 std::string quoted_path(const std::filesystem::path& path);
-
-/// An absolute path. Throws UserError if it is relative to a working directory that no longer exists.
-std::filesystem::path from_the_root(const std::filesystem::path& directory);
 
 /// The size limit of files without a smaller limit of their own: far above anything that shadefit writes.
 inline constexpr std::uintmax_t most_file_bytes = 64U << 20;

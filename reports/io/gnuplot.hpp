@@ -21,32 +21,22 @@ struct FailedPlot {
   std::string complaint;
 };
 
-/// How long gnuplot may take for one picture: ours take less than 0.1 s. So even a machine that is a hundred
-/// times slower draws them, and a gnuplot that hangs does not stop a run for ever.
-inline constexpr std::chrono::seconds longest_drawing{60};
-
-/// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg (a name that ends with
-/// .png or .pdf is that of the picture: "scene.png" is drawn by scene.gnuplot), under another name first, and
-/// renames it when it is complete. Returns the plots that failed, with gnuplot's message. For these there is
-/// no NAME.svg in `directory`, neither a part nor an older one. (`write_files` removes older pictures from
-/// the directory of results.) The checkpoint is called before each picture and repeatedly while gnuplot
-/// works. If it throws, or a picture takes `longest`, gnuplot is ended.
-std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
-                                   const std::filesystem::path& directory,
-                                   const std::vector<std::string>& names,
-                                   const Checkpoint& checkpoint = keep_going,
-                                   std::chrono::seconds longest = longest_drawing);
-
 /// Pictures, and the plots that could not be drawn.
 struct Pictures {
   std::vector<File> files;  ///< "plots/NAME.svg", or "plots/NAME" of a name that ends with .png or .pdf
   std::vector<FailedPlot> failed;
 };
 
-/// Draws the plots of `names` from their files, "plots/NAME.csv" and "plots/NAME.gnuplot", in a temporary
-/// directory that is removed again, so that results can be written all at once or not at all. Throws
-/// UserError where there can be no such directory.
+/// How long gnuplot may take for one picture: ours take less than 0.1 s. So even a machine that is a
+/// hundred times slower draws them, and a gnuplot that hangs does not stop a run for ever.
+inline constexpr std::chrono::seconds longest_drawing{60};
+
+/// Draws the plots of `names` at the same time from their files, "plots/NAME.csv" and "plots/NAME.gnuplot"
+/// ("scene.png" is drawn by scene.gnuplot), in a temporary directory. The checkpoint is called repeatedly
+/// while gnuplot works. If it throws, or a picture takes `longest`, gnuplot is ended. Throws UserError where
+/// there can be no such directory.
 Pictures draw_pictures(const std::filesystem::path& gnuplot, const std::vector<File>& files,
-                       const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going);
+                       const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going,
+                       std::chrono::seconds longest = longest_drawing);
 
 }  // namespace shadefit

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -43,11 +42,6 @@ class OwnFields {
     if (!field(key).is_array()) fail(key, "is not a list");
     return field(key);
   }
-  const Json& pair(const char* key) const {
-    if (list(key).size() != 2) fail(key, "is not a pair");
-    return field(key);
-  }
-
   std::string text(const char* key) const { return text_of(field(key), key); }
   std::string text_of(const Json& json, const char* key) const {
     if (!json.is_string()) fail(key, "is not a text");
@@ -75,17 +69,12 @@ class OwnFields {
     fail(key, "is unknown: '" + text(key) + "'");
   }
 
-  /// A whole number >= 0 that T can hold.
-  template <std::integral T>
-  T whole(const char* key) const {
-    return whole_of<T>(field(key), key);
-  }
-  template <std::integral T>
-  T whole_of(const Json& json, const char* key) const {
-    constexpr auto most = std::uint64_t{std::numeric_limits<T>::max()};
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most)
+  /// A whole number >= 0.
+  int whole(const char* key) const {
+    constexpr auto most = std::uint64_t{std::numeric_limits<int>::max()};
+    if (!field(key).is_number_unsigned() || field(key).get<std::uint64_t>() > most)
       fail(key, fmt::format("is not a whole number from 0 to {}", most));
-    return json.get<T>();
+    return field(key).get<int>();
   }
 
   /// A double that is written as `hex_text` writes it.
@@ -105,14 +94,15 @@ class OwnFields {
 
   /// A pair of such numbers.
   std::pair<double, double> interval(const char* key) const {
-    const Json& ends = pair(key);
-    return {number_of(ends[0], key), number_of(ends[1], key)};
+    if (list(key).size() != 2) fail(key, "is not a pair");
+    const std::vector<double> ends = numbers(key);
+    return {ends.front(), ends.back()};
   }
 
   /// Refuses a file of another kind, or of another version of it.
   void require_kind(std::string_view kind, int schema) const {
     if (text("file") != kind) fail("file", fmt::format("does not say '{}'", kind));
-    if (const int found = whole<int>("schema"); found != schema) {
+    if (const int found = whole("schema"); found != schema) {
       throw UserError(
           fmt::format("{} is of version {}: this shadefit reads version {}", file_, found, schema));
     }
@@ -126,12 +116,6 @@ class OwnFields {
                                   "its digest is {}, that of its fields is {}: it was changed after it "
                                   "was written",
                                   stated, digest);
-  }
-
-  /// Refuses fields whose digest is not the stated one.
-  void require_digest() const {
-    if (const std::string stated = text(digest_field), digest = digest_of(json_); stated != digest)
-      fail(digest_field, fmt::format("is {}, the digest of the other fields is {}", stated, digest));
   }
 
   /// Refuses a field that differs from `written`, the output of shadefit for the data that was read. The

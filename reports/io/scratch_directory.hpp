@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <boost/core/noncopyable.hpp>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -14,26 +15,12 @@
 
 namespace shadefit {
 
-/// The directory of temporary files as std::filesystem::temp_directory_path finds it: the first of the
-/// variables below that is set, else /tmp. Throws UserError naming the variable if that is not a directory.
-inline std::filesystem::path temporary_directory() {
-  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
-    const char* value = std::getenv(variable);
-    if (value == nullptr || *value == '\0') continue;
-    std::error_code error;
-    if (std::filesystem::is_directory(value, error)) return value;
-    if (!error) error = std::make_error_code(std::errc::not_a_directory);
-    throw UserError(fmt::format("{} '{}' is not a directory: {}", variable, value, error.message()));
-  }
-  return "/tmp";
-}
-
 /// A temporary directory of this run, removed with its contents.
-class ScratchDirectory {
+class ScratchDirectory : boost::noncopyable {
  public:
-  /// Throws UserError if it cannot be created.
+  /// Throws UserError or filesystem_error, which names the path, if it cannot be created.
   ScratchDirectory() {
-    std::string name = (temporary_directory() / "shadefit-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "shadefit-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
       throw UserError(
           fmt::format("cannot create a directory for temporary files, '{}': {}", name, std::strerror(errno)));
@@ -43,8 +30,6 @@ class ScratchDirectory {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 

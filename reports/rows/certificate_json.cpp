@@ -135,7 +135,7 @@ ReadCertificate<Certificate> read_certificate(const std::string& text, const std
     certificate.places.push_back({place.choice("of", origins), place.number("from"), place.number("to")});
   }
   certificate.curve = read_curve(fields);
-  certificate.precision = fields.whole<int>("precision");
+  certificate.precision = fields.whole("precision");
   certificate.horizon = fields.numbers("boxes_in_c");
   certificate.peak = fields.numbers("boxes_in_1_minus_c");
   fields.require_written_as(write_certificate_json(certificate));

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/finder.hpp>
+#include <boost/algorithm/string/iter_find.hpp>
 #include <cctype>
 #include <iterator>
 #include <map>
@@ -31,11 +32,6 @@ std::string first_letters(std::string_view text, int count) {
     if (std::isalpha(letter) != 0) letters += static_cast<char>(std::tolower(letter));
   }
   return letters;
-}
-
-/// BibTeX separates authors by "and".
-std::string with_and(std::string_view authors) {
-  return boost::replace_all_copy(std::string(authors), ", ", " and ");
 }
 
 /// A name in braces if BibTeX would take its words apart: "{Le Saec}", "{Unity Technologies}".
@@ -77,23 +73,28 @@ std::string linked(const Source& source) {
                          : fmt::format("[{}]({})", author_and_year(source), address);
 }
 
-std::string bibtex(const Source& source) {
-  const std::string address = address_of(source);
-  std::string out =
-      fmt::format("@misc{{{}{}{},\n  author = {{{}}},\n  title = {{{{{}}}}},\n  year = {{{}}},\n",
-                  first_letters(source.author, 1), source.year, first_letters(source.title, 2),
-                  with_and(source.author), source.title, source.year);
-  if (!is_address(source.place)) out += fmt::format("  howpublished = {{{}}},\n", source.place);
-  if (!address.empty()) out += fmt::format("  url = {{{}}},\n", address);
-  return out + "}\n";
+CitedWork work_of(const Source& source) {
+  CitedWork work{.title = OthersText(std::string(source.title)),
+                 .year = OthersText(std::to_string(source.year)),
+                 .howpublished = OthersText(std::string(is_address(source.place) ? "" : source.place)),
+                 .url = address_of(source)};
+  std::vector<std::string> authors;
+  boost::algorithm::iter_split(authors, source.author, boost::first_finder(", "));
+  work.authors.assign(authors.begin(), authors.end());
+  return work;
 }
 
-std::vector<std::string> bibtex_of_sets(const std::vector<PublishedSet>& sets) {
+std::vector<CitedWork> works_of(const std::vector<PublishedSet>& sets) {
+  std::vector<CitedWork> works;
+  for (const PublishedSet& set : sets) works.push_back(set.cite.value_or(CitedWork{.title = set.source}));
+  return works;
+}
+
+std::string bibtex(const std::vector<CitedWork>& works) {
   std::map<std::string, int> uses;
-  std::vector<std::string> entries;
   std::set<std::string> seen;
-  for (const PublishedSet& set : sets) {
-    const CitedWork work = set.cite.value_or(CitedWork{.title = set.source});
+  std::string entries;
+  for (const CitedWork& work : works) {
     std::string body;
     const auto add = [&](const char* field, const std::string& value) {
       if (!value.empty()) body += fmt::format("  {} = {{{}}},\n", field, value);
@@ -105,17 +106,14 @@ std::vector<std::string> bibtex_of_sets(const std::vector<PublishedSet>& sets) {
     add("note", for_latex(work.note));
     add("url", work.url);
     if (!seen.insert(body).second) continue;
-    const std::string author = work.authors.empty() ? "" : first_letters(work.authors.front().unescaped(), 1);
-    std::string year;
-    std::ranges::copy_if(work.year.unescaped(), std::back_inserter(year),
+    std::string key = work.authors.empty() ? "" : first_letters(work.authors.front().unescaped(), 1);
+    std::ranges::copy_if(work.year.unescaped(), std::back_inserter(key),
                          [](char c) { return '0' <= c && c <= '9'; });
-    std::string key = author + year + first_letters(work.title.unescaped(), 2);
+    key += first_letters(work.title.unescaped(), 2);
     if (key.empty()) key = "source";
     // Titles of code often begin with the same words.
-    const int before = uses[key]++;
-    if (before > 0)
-      key += before < 26 ? std::string(1, static_cast<char>('a' + before)) : fmt::format("-{}", before);
-    entries.push_back(fmt::format("@misc{{{},\n{}}}\n", key, body));
+    if (const int before = uses[key]++; before > 0) key += fmt::format("-{}", before + 1);
+    entries += fmt::format("\n@misc{{{},\n{}}}\n", key, body);
   }
   return entries;
 }

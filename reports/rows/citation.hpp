@@ -22,12 +22,15 @@ std::string address_of(const Source& source);
 /// "Lagarde 2012" as a Markdown link to its address, if there is one.
 std::string linked(const Source& source);
 
-/// A BibTeX entry: @misc{lagarde2012sphericalgaussian, ..}. Records have surnames only.
-std::string bibtex(const Source& source);
+/// The fields of a source. Records have surnames only.
+CitedWork work_of(const Source& source);
 
-/// The same for the published sets of a study, each work once: of the fields that its file has; without them
-/// the source is the title. Entries with equal keys get letters: kang2002designof, kang2002designofb.
-std::vector<std::string> bibtex_of_sets(const std::vector<PublishedSet>& sets);
+/// The works of published sets. A set without fields has its source as title.
+std::vector<CitedWork> works_of(const std::vector<PublishedSet>& sets);
+
+/// A BibTeX entry for each work, once, after an empty line: @misc{lagarde2012sphericalgaussian, ..}. Entries
+/// with equal keys get numbers: kang2002designof, kang2002designof-2.
+std::string bibtex(const std::vector<CitedWork>& works);
 
 /// The BibTeX entry of shadefit itself. CITATION.cff says the same.
 std::string bibtex_of_shadefit(std::string_view version);

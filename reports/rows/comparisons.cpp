@@ -99,12 +99,6 @@ Json contender_json(const Contender& contender) {
           {"beats", contender.beats}};
 }
 
-Json rounded_json(const FittableFamily& family, const RoundedConstants& constants) {
-  return {{"parameters", json_object(family.parameters, constants.parameters)},
-          {"max_abs_error", constants.max_error},
-          {"at", constants.at}};
-}
-
 }  // namespace
 
 std::string target_of(const Comparison& comparison) {
@@ -153,39 +147,6 @@ Json write_comparison_json(const Comparison& comparison) {
           {"domain", {comparison.domain.lower, comparison.domain.upper}},
           {"curves", json_array(comparison.contenders, contender_json)},
           {"left_out", comparison.left_out}};
-}
-
-Table half_table(const std::vector<CurveInHalf>& curves) {
-  Table table{{"curve", "published, rounded", "max abs error", "best in half", "max abs error", "best of"}};
-  for (const CurveInHalf& curve : curves) {
-    if (!curve.rounded || !curve.rounded->published) {
-      table.rows.push_back({std::string(curve.published), curve.reason, Cell(), Cell(), Cell(), Cell()});
-      continue;
-    }
-    const auto names = find_family(curve.family)->parameters;
-    const Rounded& rounded = *curve.rounded;
-    table.rows.push_back({std::string(curve.published), equations(names, rounded.published->texts),
-                          Number{rounded.published->max_error, 6}, equations(names, rounded.best.texts),
-                          Number{rounded.best.max_error, 6},
-                          (rounded.is_proven ? "" : "not proven: ") + rounded.searched});
-  }
-  return table;
-}
-
-Json write_half_json(const std::vector<CurveInHalf>& curves) {
-  Json list = Json::array();
-  for (const CurveInHalf& curve : curves) {
-    Json& item = list.emplace_back(Json{{"published", curve.published}});
-    if (curve.rounded && curve.rounded->published) {
-      const FittableFamily& family = *find_family(curve.family);
-      item["rounded"] = rounded_json(family, *curve.rounded->published);
-      item["best"] = rounded_json(family, curve.rounded->best);
-      item["proven"] = curve.rounded->is_proven;
-    } else {
-      item["reason"] = curve.reason;
-    }
-  }
-  return list;
 }
 
 std::string not_reached_lines(const Comparison& comparison) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fit/better/better.hpp"
-#include "fit/better/better_in_half.hpp"
 #include "reports/table/table.hpp"
 
 /// The published curves and the alternatives for a target, as rows and as JSON.
@@ -27,13 +26,6 @@ Table comparisons_table(const std::vector<Comparison>& comparisons, Precision pr
 
 /// One object for each target, with both bounds of each error.
 nlohmann::ordered_json write_comparison_json(const Comparison& comparison);
-
-/// One row for each published curve: its constants rounded to half and the best constants in half, with their
-/// errors in half.
-Table half_table(const std::vector<CurveInHalf>& curves);
-
-/// The same, one object for each curve; `reason` if there is nothing to compare.
-nlohmann::ordered_json write_half_json(const std::vector<CurveInHalf>& curves);
 
 /// A line for each curve whose bounds are wider than requested.
 std::string not_reached_lines(const Comparison& comparison);

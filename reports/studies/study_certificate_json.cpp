@@ -96,7 +96,7 @@ ReadCertificate<StudyCertificate> read_study_certificate(const std::string& text
   }
   std::tie(certificate.lower, certificate.upper) = fields.interval("largest");
   certificate.attained = fields.numbers("attained");
-  certificate.precision = fields.whole<int>("precision");
+  certificate.precision = fields.whole("precision");
   certificate.boxes = fields.text("boxes");
   fields.require_written_as(write_study_certificate_json(certificate));
   return result;

@@ -1,5 +1,5 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,7 +10,6 @@
 #include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
-#include "tests/fake_gnuplot.hpp"
 #include "tests/process.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -18,9 +17,7 @@
 namespace shadefit {
 namespace {
 
-using testing::EnvironmentVariable;
 using testing::expect_refusal;
-using testing::fake_gnuplot;
 using testing::run_process;
 using testing::snapshot;
 using testing::TemporaryDirectory;
@@ -33,8 +30,7 @@ std::vector<std::string> emit_to(const std::string& file) {
 }
 
 std::string foreign_refusal(const std::string& file) {
-  return "'" + file +
-         "' was not written by shadefit, or was changed since: move it away, or replace it with --force";
+  return "'" + file + "' was not written by shadefit: move it away, or replace it with --force";
 }
 
 TEST(OthersFiles, ASceneLeavesThemWhereTheyAre) {
@@ -46,19 +42,6 @@ TEST(OthersFiles, ASceneLeavesThemWhereTheyAre) {
   auto after = snapshot(directory.path());
   for (const auto& [name, content] : before) EXPECT_EQ(after[name], content) << name;
   EXPECT_EQ(after.size(), before.size() + 6) << "the plan stands beside them";
-}
-
-TEST(OthersFiles, AScriptThatWasChangedIsNotReplaced) {
-  const TemporaryDirectory directory;
-  const EnvironmentVariable path("PATH", directory / "bin");  // no gnuplot
-  const std::vector<std::string> run{"run", "--only", "fresnel-quadratic", "--out", directory / "out"};
-  EXPECT_EQ(run_command_line(run).exit_code, 0);
-  EXPECT_EQ(run_command_line(run).exit_code, 0);
-  const std::string script = directory / "out/plots/fresnel.gnuplot";
-  directory.file("out/plots/fresnel.gnuplot", read_file(script) + "# larger letters\n");
-  const auto before = snapshot(directory.path());
-  expect_refusal(run, foreign_refusal(script));
-  EXPECT_EQ(snapshot(directory.path()), before);
 }
 
 TEST(OthersFiles, CodeReplacesCodeAlone) {
@@ -147,22 +130,7 @@ TEST(OthersFiles, WhereNobodyCanBeToldNothingIsWritten) {
   EXPECT_EQ(filter.err, "");
 }
 
-TEST(OthersFiles, TwoRunsIntoOneDirectory) {
-  const TemporaryDirectory directory;
-  fs::create_directories(directory / "out");
-  const int other = ::open((directory / "out").c_str(), O_RDONLY | O_DIRECTORY);
-  ASSERT_EQ(::flock(other, LOCK_EX), 0);
-  const std::vector<std::string> run{"run",        "--only", "norm-lambert",
-                                     "--no-plots", "--out",  directory / "out"};
-  expect_refusal(run, "output directory '" + (directory / "out") +
-                          "' is in use by another run: wait for its end, or name another");
-  EXPECT_EQ(run_command_line(emit_to(directory / "out/pair.glsl")).exit_code, 0)
-      << "no other file has its name";
-  ::close(other);
-  EXPECT_EQ(run_command_line(run).exit_code, 0);
-}
-
-// A baseline of an older version, without marks.
+// A baseline of an older version.
 TEST(OthersFiles, TablesOfAnOlderVersionAreRenewed) {
   const TemporaryDirectory directory;
   fs::copy(SHADEFIT_SOURCE_DIR "/reports/baseline", directory / "baseline");

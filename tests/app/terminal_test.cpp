@@ -298,15 +298,6 @@ TEST(Completion, ZshReadsIt) {
   EXPECT_EQ(shell_output("zsh -n '" + completion_file(directory, "zsh") + "'"), "");
 }
 
-TEST(Completion, FishCompletes) {
-  if (!is_installed("fish")) GTEST_SKIP() << "without fish: package fish";
-  const TemporaryDirectory directory;
-  const std::string script =
-      "source " + completion_file(directory, "fish") + "; complete -C 'shadefit fit fresnel-quadratic-'";
-  EXPECT_EQ(shell_output("HOME='" + directory.path().string() + "' fish --no-config -c \"" + script + "\""),
-            "fresnel-quadratic-a\nfresnel-quadratic-b\n");
-}
-
 TEST(Completion, TheManualPageHasEveryOption) {
   const std::string page = run_command_line({"--completion", "man"}).out;
   for (const std::string& command : commands) {

@@ -1,7 +1,5 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -215,31 +213,6 @@ TEST(LintFix, WritesFilesOfSeveralFolders) {
   EXPECT_EQ(lint_fixing(folder.path().string(), "pins").err, "shadefit: rewrote 3 numbers in 3 files\n");
   for (const char* name : {"a.glsl", "b/a.glsl", "b/c/a.glsl"})
     EXPECT_EQ(read_file(folder / name), with_pins);
-}
-
-TEST(LintFix, RemovesWhatAKilledRunLeft) {
-  const TemporaryDirectory folder;
-  folder.file("a/fixed.glsl", with_typo);  // nothing is left to fix there
-  folder.file("b/faulty.glsl", faulty);
-  for (const char* place : {"a", "b"}) {
-    folder.file(fmt::format("{}/.shadefit-q1w2E3/0.old", place), faulty);
-    folder.file(fmt::format("{}/.shadefit-q1w2E3/11.new", place), with_typo);
-  }
-  folder.file("a/.shadefit-q1w2E4/0.old/of-the-user", "");
-  folder.file("a/.shadefit-q1w2E4/notes", "of the user");
-  folder.file("a/.shadefit-cache/0.old", "of the user");
-  fs::create_directory(folder / "a/.shadefit-q1w2E5");
-  const int in_use = ::open((folder / "a/.shadefit-q1w2E5").c_str(), O_RDONLY | O_DIRECTORY);
-  ASSERT_EQ(::flock(in_use, LOCK_EX), 0);
-  run_command_line({"lint", folder.path().string(), "--diff"});
-  EXPECT_TRUE(fs::exists(folder / "a/.shadefit-q1w2E3/0.old")) << "--diff writes nothing";
-  lint_fixing(folder.path().string(), "typo");
-  ::close(in_use);
-  for (const char* gone : {"a/.shadefit-q1w2E3", "b/.shadefit-q1w2E3"})
-    EXPECT_FALSE(fs::exists(folder / gone));
-  for (const char* kept : {"a/.shadefit-q1w2E4/0.old/of-the-user", "a/.shadefit-q1w2E4/notes",
-                           "a/.shadefit-cache/0.old", "a/.shadefit-q1w2E5"})
-    EXPECT_TRUE(fs::exists(folder / kept)) << kept;
 }
 
 TEST(LintDiff, ShowsWhatFixWouldDoAndWritesNothing) {

@@ -60,8 +60,6 @@ std::string mark_of_failure(const findings::FindingFormat format) {
       return "lint failed: 1 error in 1 file\n";
     case findings::FindingFormat::json:
       return "\"passed\": false";
-    case findings::FindingFormat::junit:
-      return "failures=\"1\"";
     case findings::FindingFormat::sarif:
       return "\"level\": \"error\"";
     case findings::FindingFormat::github:
@@ -237,7 +235,7 @@ TEST(LintGate, NoTreeBreaksIt) {
   EXPECT_NE(outcome.out.find("invalid.glsl:2:"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("not read: 1 binary, 1 too large, 3 links"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("huge.glsl"), std::string::npos) << outcome.err;
-  for (const char* format : {"json", "sarif", "junit", "github", "markdown"}) {
+  for (const char* format : {"json", "sarif", "github", "markdown"}) {
     const Outcome other = lint_in(folder, {"--format", format});
     EXPECT_EQ(other.exit_code, 1) << format;
     EXPECT_NE(other.err.find("not read: 1 binary, 1 too large, 3 links\n"), std::string::npos) << other.err;

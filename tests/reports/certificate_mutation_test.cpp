@@ -11,16 +11,18 @@
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/io/digest.hpp"
 #include "reports/io/files.hpp"
 #include "reports/rows/certificate_json.hpp"
 #include "tests/reports/certificate_cases.hpp"
+#include "tests/reports/json_mutants.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::certified_subjects;
+using testing::for_each_mutant;
+using testing::signed_text;
 using testing::TemporaryDirectory;
 using Json = nlohmann::ordered_json;
 
@@ -181,50 +183,6 @@ std::vector<Json> others_of(const Json& value) {
   return parse_hex(text) || parse_number(text) ? other_numbers(text) : other_words(text);
 }
 
-/// Calls visit with each document that differs from this one in one place: a value, a member or an element
-/// lost, doubled, or exchanged with its neighbour, a member too much. Of long lists, which are those of the
-/// boxes, the first and the last elements and one between.
-template <class Visit>
-void for_each_mutant(const Json& original, const Visit& visit) {
-  const auto changed = [&](const Json::json_pointer& at, const auto& change) {
-    Json mutant = original;
-    change(mutant[at]);
-    visit(mutant, at.to_string());
-  };
-  const auto visit_place = [&](const auto& self, const Json::json_pointer& at) -> void {
-    const Json& value = original.at(at);
-    for (const Json& other : others_of(value)) changed(at, [&](Json& v) { v = other; });
-    if (value.is_object()) {
-      changed(at, [](Json& v) { v["x"] = 1; });
-      for (const auto& [key, member] : value.items()) {
-        if (key == digest_field) continue;
-        changed(at, [&name = key](Json& v) { v.erase(name); });
-        self(self, at / key);
-      }
-    }
-    if (!value.is_array()) return;
-    for (const char* word : {"falls with the angle", "rises with the angle", "at most 1", "0x1p-1"})
-      changed(at, [&](Json& v) { v.push_back(word); });
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const bool is_between = i > 1 && i + 2 < value.size() && i != value.size() / 2;
-      if (is_between) continue;
-      changed(at, [&](Json& v) { v.erase(i); });
-      changed(at, [&](Json& v) { v.insert(v.begin() + static_cast<std::ptrdiff_t>(i), Json(v[i])); });
-      if (i + 1 < value.size()) changed(at, [&](Json& v) { std::swap(v[i], v[i + 1]); });
-      self(self, at / i);
-    }
-  };
-  visit_place(visit_place, Json::json_pointer());
-}
-
-std::string signed_text(Json json) {
-  if (json.is_object()) {
-    json.erase(digest_field);
-    json[digest_field] = digest_of(json);
-  }
-  return json.dump();
-}
-
 /// Each changed certificate with a new digest is refused, or it is true.
 TEST(CertificateMutation, NoFalseStatementIsAccepted) {
   int refused = 0, accepted = 0;
@@ -233,8 +191,7 @@ TEST(CertificateMutation, NoFalseStatementIsAccepted) {
     const Json json = write_certificate_json(truth);
     ASSERT_EQ(falsehood(truth), "") << label(truth);
     ASSERT_EQ(reason_to_refuse(truth), "") << label(truth);
-    for_each_mutant(json, [&](const Json& mutant, const std::string& where) {
-      if (mutant == json) return;
+    for_each_mutant(json, others_of, [&](const Json& mutant, const std::string& where) {
       try {
         const Certificate read = read_certificate(signed_text(mutant), "f").certificate;
         if (reason_to_refuse(read).empty()) {

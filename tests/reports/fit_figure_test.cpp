@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <variant>
 
 #include "fit/support/user_error.hpp"
 
@@ -49,26 +48,6 @@ TEST(FitFigure, AWeightHidesTheLevelWhichIsThatOfTheWeightedError) {
 TEST(FitFigure, ASharpLobeIsShownWhereItIs) {
   EXPECT_EQ(value_at(fit_figure(fitted("sg-offset", {Setting(5)}, {})).data, 0, 0), 0);
   EXPECT_NEAR(value_at(fit_figure(fitted("sg-offset", {Setting(1000)}, {})).data, 0, 1), 1e-3, 1e-9);
-}
-
-TEST(FitFigure, ASweepHasARowForEachExponent) {
-  const Figure narrow = fit_figure(fitted("sg-offset", {3, 4}, {}));
-  EXPECT_EQ(narrow.data.columns,
-            (std::vector<std::string>{"exponent", "x", "max_abs_error", "rms_error", "scaled", "target_1",
-                                      "form_1", "error_1", "target_2", "form_2", "error_2"}));
-  EXPECT_EQ(narrow.script.find("set logscale x"), std::string::npos);
-  EXPECT_NE(fit_figure(fitted("sg-offset", {3, 300}, {})).script.find("set logscale x"), std::string::npos);
-}
-
-TEST(FitFigure, ASweepHasTheCurvesOfThreeExponents) {
-  const Figure figure = fit_figure(fitted("sg-offset", {3, 4, 5, 6, 16}, {}));
-  EXPECT_EQ(figure.data.columns.back(), "error_3");
-  // After the five exponents: k (1 - c) = 4 is in the middle of 0 to 8, and c = 3/4 at k = 16.
-  const std::size_t middle = 5 + 100;
-  EXPECT_EQ(value_at(figure.data, middle, 4), 4);
-  EXPECT_NEAR(value_at(figure.data, middle, 11), std::pow(0.75, 16), 1e-7);
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(figure.data.rows.at(middle).at(5)))
-      << "at k = 3 the cosine would be below 0";
 }
 
 TEST(FitFigure, WithoutAFitThereIsNone) {

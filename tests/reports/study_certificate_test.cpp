@@ -11,14 +11,16 @@
 #include "fit/study/study_problem.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/io/digest.hpp"
 #include "reports/studies/study_certificate_json.hpp"
 #include "reports/studies/study_proof_rows.hpp"
+#include "tests/reports/json_mutants.hpp"
 
 namespace shadefit {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using testing::for_each_mutant;
+using testing::signed_text;
 
 /// One certificate of each kind: a root at an end and decimals; definitions, given constants and a weight of
 /// a relative error; two variables and fitted constants.
@@ -114,44 +116,6 @@ std::vector<Json> others_of(const Json& value) {
   return others;
 }
 
-/// Calls visit with each document that differs in one place.
-template <class Visit>
-void for_each_mutant(const Json& original, const Visit& visit) {
-  const auto changed = [&](const Json::json_pointer& at, const auto& change) {
-    Json mutant = original;
-    change(mutant[at]);
-    visit(mutant, at.to_string());
-  };
-  const auto visit_place = [&](const auto& self, const Json::json_pointer& at) -> void {
-    const Json& value = original.at(at);
-    for (const Json& other : others_of(value)) changed(at, [&](Json& v) { v = other; });
-    if (value.is_object()) {
-      changed(at, [](Json& v) { v["x"] = "1"; });
-      for (const auto& [key, member] : value.items()) {
-        if (key == digest_field) continue;
-        changed(at, [&name = key](Json& v) { v.erase(name); });
-        self(self, at / key);
-      }
-    }
-    if (!value.is_array()) return;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      changed(at, [&](Json& v) { v.erase(i); });
-      changed(at, [&](Json& v) { v.push_back(Json(v[i])); });
-      if (i + 1 < value.size()) changed(at, [&](Json& v) { std::swap(v[i], v[i + 1]); });
-      self(self, at / i);
-    }
-  };
-  visit_place(visit_place, Json::json_pointer());
-}
-
-std::string signed_text(Json json) {
-  if (json.is_object()) {
-    json.erase(digest_field);
-    json[digest_field] = digest_of(json);
-  }
-  return json.dump();
-}
-
 TEST(StudyCertificate, ReadsBackAsItWasWritten) {
   for (const StudyCertificate& certificate : certificates()) {
     const std::string text = certificate_text(certificate);
@@ -171,8 +135,7 @@ TEST(StudyCertificate, NoFalseStatementIsAccepted) {
   int refused = 0, accepted = 0;
   for (const StudyCertificate& truth : certificates()) {
     const Json json = write_study_certificate_json(truth);
-    for_each_mutant(json, [&](const Json& mutant, const std::string& where) {
-      if (mutant == json) return;
+    for_each_mutant(json, others_of, [&](const Json& mutant, const std::string& where) {
       try {
         const StudyCertificate read = read_study_certificate(signed_text(mutant), "f").certificate;
         if (!reason_to_refuse(read).empty()) {

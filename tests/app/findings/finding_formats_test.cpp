@@ -184,7 +184,7 @@ TEST(FindingFormats, OfVerify) {
     EXPECT_EQ(finding_of(command).at("path"), file);
   }
   expect_refusal({"verify", "proof.json", "--format", "sarif"},
-                 "--format 'sarif' is unknown: it must be one of text, json, junit, github, markdown");
+                 "--format 'sarif' is unknown: it must be one of text, json, github, markdown");
   EXPECT_EQ(run_command_line({"verify", "--help"}).out.find("sarif"), std::string::npos);
   EXPECT_NE(run_command_line({"check", "--help"}).out.find("sarif"), std::string::npos);
 }
@@ -199,7 +199,7 @@ TEST(FindingFormats, BadInputIsNoFinding) {
     EXPECT_TRUE(outcome.err.starts_with("shadefit: baseline '")) << outcome.err;
   }
   expect_refusal({"check", "--format", "xml"},
-                 "--format 'xml' is unknown: it must be one of text, json, junit, sarif, github, markdown");
+                 "--format 'xml' is unknown: it must be one of text, json, sarif, github, markdown");
 }
 
 }  // namespace

@@ -1,18 +1,16 @@
 #!/usr/bin/python3
-"""Reads what shadefit wrote as others would: check_findings.py sarif|junit FILE
+"""Reads what shadefit wrote as others would: check_findings.py FILE
 
-sarif: validates the file by sarif-schema-2.1.0.json, the schema of the standard, unchanged: SARIF 2.1.0 with errata 01,
+Validates the file by sarif-schema-2.1.0.json, the schema of the standard, unchanged: SARIF 2.1.0 with errata 01,
 https://github.com/oasis-tcs/sarif-spec, sarif-2.1/schema. Copyright OASIS Open; its policy lets the documents of a standard
 be copied, https://www.oasis-open.org/policies-guidelines/ipr. The words of JSON Schema that the schema uses are here; one
 that is not is an error, so that none is passed over.
-junit: parses the XML, compares the counts of the suites with their tests and prints a line for each test.
 Exit 1, with what is wrong, if something is.
 """
 import json
 import os
 import re
 import sys
-import xml.etree.ElementTree
 
 SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "sarif-schema-2.1.0.json")
 # Words that require nothing, and those that `faults` knows.
@@ -88,27 +86,8 @@ def check_sarif(path):
     return list(faults(log, schema, schema, "log"))
 
 
-def check_junit(path):
-    root = xml.etree.ElementTree.parse(path).getroot()
-    wrong = [] if root.tag == "testsuites" else [f"the root is {root.tag}"]
-    for suite in [root] + root.findall("testsuite"):
-        tests = list(suite.iter("testcase"))
-        counts = {"tests": len(tests), "errors": 0, "time": 0}
-        counts["failures"] = sum(test.find("failure") is not None for test in tests)
-        counts["skipped"] = sum(test.find("skipped") is not None for test in tests)
-        wrong += [f"{suite.tag} has {key} {suite.get(key)}, not {count}" for key, count in counts.items()
-                  if suite.get(key) != str(count)]
-        wrong += [f"{suite.tag} has no name"] if not suite.get("name") else []
-    for test in root.iter("testcase"):
-        wrong += [f"a test has no {key}" for key in ("classname", "name", "time") if not test.get(key)]
-        for inner in list(test) or [None]:
-            said = None if inner is None else inner.get("message") or inner.text
-            print(json.dumps([test.get("classname"), test.get("name"), test.get("file"), inner is not None and inner.tag, said]))
-    return wrong
-
-
 def main():
-    wrong = {"sarif": check_sarif, "junit": check_junit}[sys.argv[1]](sys.argv[2])
+    wrong = check_sarif(sys.argv[1])
     for fault in wrong:
         print(fault, file=sys.stderr)
     return 1 if wrong else 0

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/temporary_directory.hpp"
 
@@ -22,11 +21,11 @@ struct Reader {
   std::string said;
 };
 
-Reader read_by_python(const std::string& kind, const std::string& text) {
+Reader read_by_python(const std::string& text) {
   const TemporaryDirectory directory;
   const std::string command = SHADEFIT_PYTHON " -B " SHADEFIT_SOURCE_DIR
-                                              "/tests/reports/findings/check_findings.py " +
-                              kind + " '" + directory.file("findings", text) + "' 2>&1";
+                                              "/tests/reports/findings/check_findings.py '" +
+                              directory.file("findings", text) + "' 2>&1";
   std::FILE* pipe = ::popen(command.c_str(), "r");
   std::string said;
   std::array<char, 4096> buffer;
@@ -129,7 +128,7 @@ TEST(Findings, AsSarifByTheSchemaOfTheStandard) {
   FindingReport without_places = usual();
   for (Finding& finding : without_places.findings) finding.place.reset();
   for (const FindingReport& report : {usual(), odd(), none(), without_places}) {
-    const Reader reader = read_by_python("sarif", write_findings(report, FindingFormat::sarif));
+    const Reader reader = read_by_python(write_findings(report, FindingFormat::sarif));
     EXPECT_EQ(reader.exit_code, 0) << reader.said;
   }
 }
@@ -148,7 +147,7 @@ TEST(Findings, TheSchemaRefusesWhatIsNoSarif) {
     std::string bad = good;
     const auto at = bad.find(from);
     ASSERT_NE(at, std::string::npos) << from;
-    const Reader reader = read_by_python("sarif", bad.replace(at, from.size(), to));
+    const Reader reader = read_by_python(bad.replace(at, from.size(), to));
     EXPECT_EQ(reader.exit_code, 1) << to;
     EXPECT_NE(reader.said.find(reason), std::string::npos) << reader.said;
   }
@@ -195,40 +194,6 @@ TEST(Findings, PathsOfSarifAreUris) {
   EXPECT_EQ(artifact_of(odd_path).at("uri"), "a%20b/%C3%A9%3A%2C%25%23%3F%22%3C%02%FF.glsl");
   EXPECT_EQ(artifact_of(odd_path).at("uriBaseId"), "%SRCROOT%");
   EXPECT_EQ(artifact_of("/tables/a b.csv"), Json::parse(R"({"uri": "file:///tables/a%20b.csv"})"));
-}
-
-/// The tests of a JUnit file, as Python reads them: class, name, file, the kind of what is in it, its words.
-std::vector<Json> junit_tests(const FindingReport& report) {
-  const Reader reader = read_by_python("junit", write_findings(report, FindingFormat::junit));
-  EXPECT_EQ(reader.exit_code, 0) << reader.said;
-  std::vector<Json> tests;
-  std::istringstream lines(reader.said);
-  for (std::string line; std::getline(lines, line);) tests.push_back(Json::parse(line, nullptr, false));
-  return tests;
-}
-
-TEST(Findings, AsJunit) {
-  const auto tests = junit_tests(usual());
-  ASSERT_EQ(tests.size(), 5U);
-  EXPECT_EQ(tests[0],
-            Json::parse(R"(["shadefit.lint.unused", "Nothing breaks this rule", null, false, null])"));
-  EXPECT_EQ(tests[1], Json::parse(R"(["shadefit.lint.wrong-constant",
-                "shaders/fresnel.glsl:12:5: -5.55437 is -5.55473 with two digits swapped", "shaders/fresnel.glsl",
-                "failure", "-5.55437 is -5.55473 with two digits swapped"])"));
-  EXPECT_EQ(tests[2].at(3), "system-out") << "a warning fails nothing";
-  EXPECT_EQ(tests[3].at(4), "in the baseline");
-  EXPECT_EQ(tests[4].at(3), "skipped");
-  EXPECT_EQ(tests[4].at(4), "suppressed: measured by us");
-  EXPECT_EQ(junit_tests(none()).size(), 3U) << "each rule is a test, as dashboards want at least one";
-}
-
-TEST(Findings, JunitHoldsOddTexts) {
-  const auto tests = junit_tests(odd());
-  ASSERT_EQ(tests.size(), 5U);
-  const std::string held =
-      "a \"b\" 'c' <d> & ]]> {e} | `f` *g* %h, i: j\n::error::\xEF\xBF\xBD\xEF\xBF\xBD[31m \xEF\xBF\xBD \xC3\xA9";
-  EXPECT_EQ(tests[1].at(4), held) << "all but what XML cannot hold";
-  EXPECT_EQ(tests[1].at(2), "a b/\xC3\xA9:,%#?\"<\xEF\xBF\xBD\xEF\xBF\xBD.glsl");
 }
 
 TEST(Findings, AsWorkflowCommands) {
