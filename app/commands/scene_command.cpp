@@ -8,6 +8,7 @@
 #include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/scene_code.hpp"
+#include "reports/code/scene_features.hpp"
 #include "reports/code/scene_plan.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/joined.hpp"
@@ -83,6 +84,8 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
   const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
   const scene::Scene scene = scene::read_scene(paths, options.conventions);
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
+  if (options.conventions.has_features)
+    return {0, options.json ? features_json(scene) : features_text(scene), ""};
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
   const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
   const int exit_code = plan.is_within() ? 0 : 1;

@@ -54,7 +54,9 @@ void add_wishes(CLI::App& scene, SceneOptions& options) {
 
 /// Generated files list the options in this order.
 void declare_scene(CLI::App& scene, SceneOptions& options) {
-  scene.add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
+  scene
+      .add_option("file", options.files,
+                  "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), or a folder of them, one or more")
       ->required()
       ->type_name("FILE");
   add_wishes(scene, options);
@@ -63,11 +65,18 @@ void declare_scene(CLI::App& scene, SceneOptions& options) {
   auto* language = add_choice(scene, "--lang", options.language, by_name(languages),
                               "print only the code, in this language")
                        ->excludes(json);
+  auto* features =
+      scene
+          .add_flag(
+              "--features", options.conventions.has_features,
+              "print the features that each material needs by its values, and the sets of them that occur")
+          ->excludes(language);
   add_value(
       scene, "--out", options.out, parse_text, "DIR",
       "the directory to write the plan to (scene.md, .csv, .json) and its code (scene.glsl, .hlsl, .hpp)")
       ->excludes(json)
-      ->excludes(language);
+      ->excludes(language)
+      ->excludes(features);
   add_force(scene, options.force);
 }
 

@@ -48,10 +48,10 @@ double largest(const BinaryFormat& format);
 /// The largest number below 1.
 double below_one(const BinaryFormat& format);
 
-/// A list rounded to the format: the numbers in [low, high], each with `reach` neighbours on both sides
-/// inside that range; sorted, without duplicates.
+/// A list rounded to the format: the numbers in [low, high], each with its neighbours inside that range;
+/// sorted, without duplicates.
 std::vector<double> with_neighbours(const BinaryFormat& format, const std::vector<double>& numbers,
-                                    double low, double high, int reach = 2);
+                                    double low, double high);
 
 /// A positive random number between two others with a uniform exponent: equally many per binade.
 double log_uniform(Sequence& sequence, double low, double high);
@@ -60,15 +60,11 @@ double log_uniform(Sequence& sequence, double low, double high);
 /// the format has them.
 std::vector<double> exponents(const BinaryFormat& format);
 
-/// Pairs (y, k) of a lobe: every exponent with the edges of y in [0, high], and with y = t/k, where the lobe
+/// Pairs (y, k) of a lobe: every exponent with the edges of y in [0, 1], and with y = t/k, where the lobe
 /// has its slope, for t up to the underflow of the format; and random pairs of both kinds.
-std::vector<Input> near_peak_inputs(const BinaryFormat& format, double high, std::size_t random,
-                                    std::uint64_t seed);
+std::vector<Input> near_peak_inputs(const BinaryFormat& format, std::size_t random, std::uint64_t seed);
 
-/// Inputs of forms with one argument, rounded to the format.
-std::vector<Input> single_inputs(const BinaryFormat& format, const std::vector<double>& numbers);
-
-/// The edge cases in [0, high]: 0, subnormals, powers of two, decimals, the ends.
-std::vector<double> edges(const BinaryFormat& format, double high);
+/// The edge cases in [0, 1]: 0, subnormals, powers of two, decimals, the ends.
+std::vector<double> edges(const BinaryFormat& format);
 
 }  // namespace shadefit

@@ -95,16 +95,21 @@ std::optional<LevelStep> level_step(const StudyError& error, const Places& place
   VectorOf<double> errors;
   MatrixOf<double> slopes;
   SampledStudy<double>(error, nodes_at(places)).errors(parameters, errors, &slopes);
-  const double rounding = 2e-15 * std::max(target_norm, errors.cwiseAbs().maxCoeff());
+  return level_step(errors, slopes, 2e-15 * std::max(target_norm, errors.cwiseAbs().maxCoeff()));
+}
+
+std::optional<LevelStep> level_step(const VectorOf<double>& errors, const MatrixOf<double>& slopes,
+                                    double rounding) {
   std::vector<Condition> conditions;
   for (Eigen::Index i = 0; i < errors.size(); ++i) {
     for (const double sign : {1.0, -1.0}) conditions.push_back(condition(errors[i], slopes.row(i), sign));
   }
   const auto reference = first_reference(errors, slopes);
   if (!reference) return std::nullopt;
-  LevelStep step{lowest_level(conditions, parameters.size() + 1, *reference, rounding), {}, {}, rounding};
+  const auto unknowns = static_cast<std::size_t>(slopes.cols()) + 1;
+  LevelStep step{lowest_level(conditions, unknowns, *reference, rounding), {}, {}, rounding};
   if (step.lowest.ending != LowestLevel::Ending::found) return std::nullopt;
-  for (std::size_t i = 0; i <= parameters.size(); ++i) {
+  for (std::size_t i = 0; i < unknowns; ++i) {
     step.places.push_back(step.lowest.reference[i] / 2);
     step.signs.push_back(step.lowest.reference[i] % 2 == 0 ? 1 : -1);
   }

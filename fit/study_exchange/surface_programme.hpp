@@ -56,4 +56,8 @@ struct LevelStep {
 std::optional<LevelStep> level_step(const StudyError& error, const Places& places,
                                     const std::vector<double>& parameters, double target_norm);
 
+/// The same of errors that are linear in the step, with a row of slopes for each.
+std::optional<LevelStep> level_step(const VectorOf<double>& errors, const MatrixOf<double>& slopes,
+                                    double rounding);
+
 }  // namespace shadefit

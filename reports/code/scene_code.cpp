@@ -111,7 +111,7 @@ Symbolic lobe_of(const Plan& plan, const Symbolic& c) {
   return planned_lobe(lobe, lobe.kind == LobeKind::power ? above_zero(plan, c) : c, constants_of(plan));
 }
 
-ShaderFunction light(const Plan& plan) {
+ShaderFunction light(const Plan& plan, bool is_texel_a_power) {
   const Symbolic c = Symbolic::variable("n_dot_h"), n_dot_l = Symbolic::variable("n_dot_l");
   ShaderFunction function{"scene_light", {"n_dot_l"}, n_dot_l, {}};
   if (plan.shading.lobe.kind != LobeKind::constant)
@@ -130,6 +130,10 @@ ShaderFunction light(const Plan& plan) {
   const Symbolic seen = plan.shading.lobe.kind == LobeKind::constant ? n_dot_l : seen_light(n_dot_l, c);
   function.result = normalisation * lobe_of(plan, c) * seen;
   function.comment = {fmt::format("The normalised lobe times n.l: {}.", to_text(plan.shading.lobe))};
+  if (has_sharpness(plan))
+    function.comment.emplace_back("Of a material: sharpness A, normalisation (n + 2)/8.");
+  if (is_texel_a_power)
+    function.comment.emplace_back("The exponent of a texture of powers is Ns times its texel.");
   return function;
 }
 
@@ -141,41 +145,7 @@ ShaderFunction reflectance() {
           {"Schlick's reflectance, for each channel that differs."}};
 }
 
-/// The source of a pixel's exponent.
-std::string exponent_source(const scene::Material& material) {
-  if (material.power_texture == PowerTexture::roughness)
-    return "scene_exponent_of_roughness of the pixel's roughness, its texel times its factor";
-  if (material.power_texture == PowerTexture::gloss)
-    return "scene_exponent_of_gloss of the pixel's gloss, its texel times its factor";
-  return "exponent of the pixel, " + decimal(material.powers.back().power, 9) +
-         " at most: Ns times its texel";
-}
-
-/// A line for each material with a lobe, its constants to as many digits as a float has.
-std::vector<OthersText> material_lines(const Scene& scene, const Plan& plan) {
-  constexpr int digits = 9;
-  std::vector<OthersText> lines;
-  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
-    const scene::MaterialPlan& material = plan.materials[i];
-    if (!material.has_lobe) continue;
-    OthersText line = "  " + OthersText(material.name) + ": ";
-    if (scene.materials[i].is_power_textured()) {
-      line += exponent_source(scene.materials[i]);
-    } else if (has_sharpness(plan)) {
-      const double n = material.power.least;
-      line += fmt::format("sharpness {}, normalisation {}",
-                          decimal((n + plan.shading.lobe.offset) * scene::natural_slope, digits),
-                          decimal(game_normalisation(n), digits));
-    } else {
-      line += "exponent " + decimal(material.power.least, digits);
-    }
-    if (material.cutoff > 0) line += ", dark where n_dot_h < " + decimal_below(material.cutoff, digits);
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-std::vector<OthersText> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
+std::vector<OthersText> comment_of(const Plan& plan, const std::string& command) {
   const bool in_codes = plan.wanted.scale == scene::ShownScale::codes;
   const bool is_constant = plan.shading.lobe.kind == LobeKind::constant;
   std::vector<OthersText> comment{std::string(generated_line), command, OthersText()};
@@ -207,13 +177,6 @@ std::vector<OthersText> comment_of(const Scene& scene, const Plan& plan, const s
         name(plan.wanted.precision), decimal_above(scene::dot_product_rounding(plan.wanted.precision), 3),
         decimal_above(plan.dot_product_error, 2)));
   comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
-  comment.emplace_back("");
-  comment.emplace_back(
-      fmt::format("With a specular lobe, {} of {}:",
-                  std::ranges::count_if(plan.materials, [](const auto& m) { return m.has_lobe; }),
-                  counted(static_cast<long>(plan.materials.size()), "material")));
-  const std::vector<OthersText> lines = material_lines(scene, plan);
-  comment.insert(comment.end(), lines.begin(), lines.end());
   return comment;
 }
 
@@ -225,7 +188,7 @@ std::vector<ShaderFunction> scene_functions(const Scene& scene, const Plan& plan
   if (has_texture(scene, plan, PowerTexture::roughness))
     functions.push_back(exponent_of_roughness(scene, plan));
   if (has_texture(scene, plan, PowerTexture::gloss)) functions.push_back(exponent_of_gloss(scene, plan));
-  functions.push_back(light(plan));
+  functions.push_back(light(plan, has_texture(scene, plan, PowerTexture::power)));
   if (plan.shading.has_fresnel) functions.push_back(reflectance());
   return functions;
 }
@@ -234,7 +197,7 @@ std::string scene_code(const Scene& scene, const Plan& plan, Language language, 
   const std::vector<ShaderFunction> functions = scene_functions(scene, plan);
   const bool is_half = plan.wanted.precision == scene::PixelPrecision::float16;
   return shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
-                     comment_of(scene, plan, command));
+                     comment_of(plan, command));
 }
 
 }  // namespace shadefit

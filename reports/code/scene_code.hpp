@@ -20,9 +20,9 @@ namespace shadefit {
 /// The specular term is their product, or F0 times `scene_light`.
 std::vector<ShaderFunction> scene_functions(const scene::Scene& scene, const scene::Plan& plan);
 
-/// All functions in a language. The comment above them contains `command`, which generated them, the errors,
-/// the materials with a lobe and their constants, and the cosines at which a light can be skipped. Throws
-/// UserError like `shader_code`.
+/// All functions in a language. The comment above them contains `command`, which generated them, and the
+/// errors. The powers of the materials, and the cosines at which a light can be skipped, are in the plan.
+/// Throws UserError like `shader_code`.
 std::string scene_code(const scene::Scene& scene, const scene::Plan& plan, Language language,
                        const std::string& command);
 

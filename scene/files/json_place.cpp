@@ -30,6 +30,12 @@ std::optional<JsonPlace> member(const JsonPlace& object, std::string_view key) {
   return JsonPlace{&*found, fmt::format("{}/{}", object.pointer, key), object.file};
 }
 
+JsonPlace member_or_empty(const JsonPlace& object, std::string_view key) {
+  static const nlohmann::json empty = nlohmann::json::object();
+  return member(object, key)
+      .value_or(JsonPlace{&empty, fmt::format("{}/{}", object.pointer, key), object.file});
+}
+
 JsonPlace required_member(const JsonPlace& object, std::string_view key) {
   const auto found = member(object, key);
   if (!found) refuse(object, fmt::format("its member '{}' is missing", key));

@@ -27,6 +27,9 @@ std::string words_of(const JsonPlace& place);
 /// The member of an object, or nothing. Throws if `object` is not an object.
 std::optional<JsonPlace> member(const JsonPlace& object, std::string_view key);
 
+/// The member of an object, or an empty object in its place.
+JsonPlace member_or_empty(const JsonPlace& object, std::string_view key);
+
 /// A required member.
 JsonPlace required_member(const JsonPlace& object, std::string_view key);
 

@@ -7,31 +7,21 @@
 namespace shadefit::scene {
 namespace {
 
-/// The plan depends on these, and they are read.
-constexpr std::array<std::string_view, 7> counted{
-    "KHR_animation_pointer",  "KHR_lights_punctual",
-    "KHR_materials_ior",      "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular", "KHR_materials_unlit",
-    "KHR_materials_variants"};
-
-/// Geometry, coding, visibility: they change no specular term. Textures in the formats of these extensions
-/// are not read; a material that uses one says so.
-constexpr std::array<std::string_view, 16> harmless{"EXT_mesh_gpu_instancing",
-                                                    "EXT_meshopt_compression",
-                                                    "EXT_texture_avif",
-                                                    "EXT_texture_webp",
-                                                    "KHR_draco_mesh_compression",
-                                                    "KHR_mesh_quantization",
-                                                    "KHR_meshopt_compression",
-                                                    "KHR_node_hoverability",
-                                                    "KHR_node_selectability",
-                                                    "KHR_node_visibility",
-                                                    "KHR_texture_basisu",
-                                                    "KHR_texture_transform",
-                                                    "KHR_xmp",
-                                                    "KHR_xmp_json_ld",
-                                                    "MSFT_lod",
-                                                    "MSFT_texture_dds"};
+/// The first seven are read. The others are geometry, coding, visibility: they change no specular term.
+/// Textures in their formats are not read; a material that uses one says so.
+constexpr std::array<std::string_view, 23> covered{
+    "KHR_animation_pointer",   "KHR_lights_punctual",
+    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",  "KHR_materials_unlit",
+    "KHR_materials_variants",  "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression", "EXT_texture_avif",
+    "EXT_texture_webp",        "KHR_draco_mesh_compression",
+    "KHR_mesh_quantization",   "KHR_meshopt_compression",
+    "KHR_node_hoverability",   "KHR_node_selectability",
+    "KHR_node_visibility",     "KHR_texture_basisu",
+    "KHR_texture_transform",   "KHR_xmp",
+    "KHR_xmp_json_ld",         "MSFT_lod",
+    "MSFT_texture_dds"};
 
 /// They add something to a picture that a plan does not cover.
 constexpr std::array<std::string_view, 11> left_out{"EXT_lights_ies",
@@ -50,18 +40,14 @@ bool is_among(std::span<const std::string_view> names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-bool is_covered(std::string_view name) {
-  return is_among(counted, name) || is_among(harmless, name);
-}
-
 }  // namespace
 
 bool is_known_extension(std::string_view name) {
-  return is_covered(name) || is_among(left_out, name);
+  return is_among(covered, name) || is_among(left_out, name);
 }
 
 bool is_left_out(std::string_view name) {
-  return !is_covered(name);
+  return !is_among(covered, name);
 }
 
 }  // namespace shadefit::scene

@@ -130,9 +130,7 @@ Dielectric read_dielectric(const JsonPlace& material, MaterialReading& reading) 
 /// F0 and F90 by metallic-roughness.
 void read_metallic_workflow(const JsonPlace& place, bool has_vertex_colours, MaterialReading& reading) {
   Material& material = reading.material;
-  const nlohmann::json nothing = nlohmann::json::object();
-  const auto object = member(place, "pbrMetallicRoughness")
-                          .value_or(JsonPlace{&nothing, place.pointer + "/pbrMetallicRoughness", place.file});
+  const JsonPlace object = member_or_empty(place, "pbrMetallicRoughness");
   const Range metallic = read_metallic_roughness(object, reading);
   const bool is_textured = member(object, "baseColorTexture").has_value();
   ColourRange base = scaled_colour(colour_or_white(object, "baseColorFactor", 4, 1), false);
@@ -189,6 +187,7 @@ Material read_gltf_material(const JsonPlace& place, std::size_t index, bool has_
   material.file = place.file;
   const auto name = member(place, "name");
   material.name = name ? shortened(text_at(*name)) : fmt::format("material {}", index);
+  if (gltf.conventions.has_features) material.features = read_gltf_features(place, has_vertex_colours, gltf);
   if (extension(place, "KHR_materials_unlit")) {
     make_unlit(material);
     return material;
@@ -201,17 +200,6 @@ Material read_gltf_material(const JsonPlace& place, std::size_t index, bool has_
   }
   note_left_out(place, material);
   limit_powers(material, "the specular power");
-  return material;
-}
-
-Material default_gltf_material(const std::string& file, bool has_vertex_colours,
-                               const Conventions& conventions) {
-  const nlohmann::json nothing = nlohmann::json::object();
-  const JsonPlace place{&nothing, "", file};
-  GltfImages images(place, std::nullopt, file);
-  const std::set<std::string> animated;
-  Material material = read_gltf_material(place, 0, has_vertex_colours, {images, animated, conventions});
-  material.name = "default";
   return material;
 }
 

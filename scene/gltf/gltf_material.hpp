@@ -28,8 +28,11 @@ struct GltfReading {
 Material read_gltf_material(const JsonPlace& place, std::size_t index, bool has_vertex_colours,
                             const GltfReading& gltf);
 
-/// The default material of primitives without one: white, metallic and fully rough.
-Material default_gltf_material(const std::string& file, bool has_vertex_colours,
-                               const Conventions& conventions);
+/// What a shader needs for the material at `place`, by value: a factor that is 0 needs nothing, nor does the
+/// texture that it multiplies. Textures of metallic and roughness are needed if their texels differ; other
+/// textures are not read and count as needed. So do vertex colours, and a factor that is animated. Nothing
+/// passes through a metal: where all is metal, transmission, volume, index of refraction and specular are not
+/// needed. Throws UserError naming file, place and rule. Source: as for `read_gltf_material`.
+Features read_gltf_features(const JsonPlace& place, bool has_vertex_colours, const GltfReading& gltf);
 
 }  // namespace shadefit::scene

@@ -20,11 +20,11 @@
 namespace shadefit::scene {
 namespace {
 
-/// Skips geometry and animation curves, which take most of a document.
+/// Skips geometry and animation curves, which take most of a document. `rotation` and `scale` stay: textures
+/// have them too.
 bool is_member_wanted(std::string_view key) {
-  constexpr std::array<std::string_view, 11> unwanted{"accessors", "cameras",  "extras",     "matrix",
-                                                      "rotation",  "samplers", "scale",      "scenes",
-                                                      "skins",     "targets",  "translation"};
+  constexpr std::array<std::string_view, 9> unwanted{
+      "accessors", "cameras", "extras", "matrix", "samplers", "scenes", "skins", "targets", "translation"};
   return std::find(unwanted.begin(), unwanted.end(), key) == unwanted.end();
 }
 
@@ -144,9 +144,7 @@ std::string remark_on(const std::vector<std::string>& bright) {
 /// naming file, place and rule. Source: Khronos Group 2018, "KHR_lights_punctual".
 /// Nodes are read as a flat list without their hierarchy, so cycles do no harm.
 GltfLights read_gltf_lights(const JsonPlace& root, const std::set<std::string>& animated) {
-  const nlohmann::json nothing = nlohmann::json::object();
-  const JsonPlace holder = extension(root, "KHR_lights_punctual")
-                               .value_or(JsonPlace{&nothing, "/extensions/KHR_lights_punctual", root.file});
+  const JsonPlace holder = member_or_empty(member_or_empty(root, "extensions"), "KHR_lights_punctual");
   std::set<std::size_t> used;
   int referenced = 0;
   for_each_element(root, "nodes", [&](const JsonPlace& place) {
@@ -178,11 +176,13 @@ Scene read_document(const JsonPlace& root, const std::optional<Bytes>& binary,
   const MaterialUses uses = uses_of_materials(root, count);
   const std::set<std::string> animated = animated_pointers(root);
   GltfImages images(root, binary, file);
+  const auto read = [&](const JsonPlace& place, std::size_t i) {
+    return read_gltf_material(place, i, uses.with_vertex_colours.contains(i),
+                              {images, animated, conventions});
+  };
   Scene scene;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool has_vertex_colours = uses.with_vertex_colours.contains(i);
-    Material material =
-        read_gltf_material(element(*array, i), i, has_vertex_colours, {images, animated, conventions});
+    Material material = read(element(*array, i), i);
     if (uses.is_used(i)) {
       scene.materials.push_back(std::move(material));
     } else {
@@ -190,8 +190,9 @@ Scene read_document(const JsonPlace& root, const std::optional<Bytes>& binary,
     }
   }
   if (uses.used.contains(count) || count == 0) {
-    const bool has_vertex_colours = uses.with_vertex_colours.contains(count);
-    scene.materials.push_back(default_gltf_material(file.string(), has_vertex_colours, conventions));
+    const nlohmann::json nothing = nlohmann::json::object();
+    scene.materials.push_back(read({&nothing, "/materials/default", root.file}, count));
+    scene.materials.back().name = "default";
   }
   const GltfLights lights = read_gltf_lights(root, animated);
   scene.lights = lights.count;

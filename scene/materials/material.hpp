@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ enum class FresnelTerm {
   schlick,  ///< from F0 to F90
 };
 
+/// What a shader needs for a material, in words: "normal map", "clear coat" ..
+using Features = std::set<std::string>;
+
 /// The quantity of the texture that gives the power of each pixel.
 enum class PowerTexture { none, roughness, gloss, power };
 
@@ -55,10 +59,12 @@ struct Material {
   /// Values that were changed to be usable: "Ns = 1e+30 is taken for 1e+09", one line each.
   std::vector<std::string> remarks;
 
+  Features features;  ///< empty without `Conventions::has_features`
+
   bool operator==(const Material&) const = default;
 };
 
-/// The conversion of stored numbers to powers.
+/// How files are read: the conversion of stored numbers to powers, and whether for features.
 struct Conventions {
   /// alpha = roughness^2 (Burley 2012, "Physically-based shading at Disney"), or roughness itself.
   bool is_roughness_squared = true;
@@ -71,6 +77,7 @@ struct Conventions {
   /// A smaller roughness is raised to this one, as engines do: Filament to 0.045, three.js to 0.0525. 0: no
   /// limit.
   double min_roughness = 0;
+  bool has_features = false;  ///< whether the features of materials are read
 };
 
 /// The least roughness that an engine keeps: MIN_PERCEPTUAL_ROUGHNESS of Filament,

@@ -118,6 +118,7 @@ ScalarMap map_of(std::string_view values) {
 void take_line(const MtlLine& line, MtlEntry& material) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
   const std::string_view key = line.words.key;
+  const auto names_a_map = [&] { return !map_of(line.words.values).name.empty(); };
   if (key == "Ns") material.shininess = number_of(line, no_limit);
   if (key == "Ni") material.index_of_refraction = number_of(line, no_limit);
   if (key == "Pr") material.roughness = number_of(line, 1);
@@ -129,8 +130,19 @@ void take_line(const MtlLine& line, MtlEntry& material) {
   if (key == "map_Ka") material.ambient_map = map_of(line.words.values);
   if (key == "map_Pr") material.roughness_map = map_of(line.words.values);
   if (key == "map_Pm") material.metallic_map = map_of(line.words.values);
-  if (key == "map_Ks") material.has_specular_map = !map_of(line.words.values).name.empty();
-  if (key == "map_Kd") material.has_diffuse_map = !map_of(line.words.values).name.empty();
+  if (key == "map_Ks") material.has_specular_map = names_a_map();
+  if (key == "map_Kd") material.has_diffuse_map = names_a_map();
+  if (key == "map_Ke") material.has_emission_map = names_a_map();
+  if (key == "map_d") material.has_opacity_map = names_a_map();
+  if (key == "norm" || key == "bump" || key == "map_bump" || key == "map_Bump")
+    material.has_normal_map = names_a_map();
+  if (key == "Ke") material.emission = colour_of(line);
+  if (key == "Tr") material.opacity = 1 - number_of(line, no_limit);
+  if (key == "d") {
+    const Words option = words_of_line(line.words.values);
+    const std::string_view number = option.key == "-halo" ? option.values : line.words.values;
+    material.opacity = number_of({line.file, line.number, {key, number}}, no_limit);
+  }
   // clear coat, sheen, anisotropy
   if (key == "Pc" || key == "aniso") {
     if (number_of(line, no_limit) > 0) material.left_out.emplace(key);

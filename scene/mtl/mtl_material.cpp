@@ -22,6 +22,7 @@ struct MtlReading {
   MtlMapReader& reader;
   const Conventions& conventions;
   Material material;
+  Range metallic = {};
 
   Histogram read(const ScalarMap& map, std::string_view what) {
     return reader.read(map, what, material.unknowns);
@@ -110,7 +111,7 @@ Range read_metallic(MtlReading& reading) {
 void read_metallic_roughness(MtlReading& reading) {
   Material& material = reading.material;
   read_roughness(reading);
-  const Range metallic = read_metallic(reading);
+  const Range metallic = reading.metallic = read_metallic(reading);
   auto base = reading.entry.diffuse.value_or(std::array{1.0, 1.0, 1.0});
   if (*std::max_element(base.begin(), base.end()) > 1) {
     material.remarks.push_back("Kd above 1 is taken for 1");
@@ -124,6 +125,37 @@ void read_metallic_roughness(MtlReading& reading) {
     material.unknowns.push_back("base colour texture is not read: F0 of metal is taken from 0 to Kd");
   for (std::size_t i = 0; i < colours.size(); ++i)
     material.f0[i] = metallic_range({dielectric, dielectric}, colours[i], metallic);
+}
+
+/// What a shader needs for the material that was read, by value. Only maps of roughness, shininess and
+/// metallic are known by their texels; other maps count where their factor is not 0.
+Features features_of(const MtlReading& reading) {
+  const MtlEntry& entry = reading.entry;
+  const Material& material = reading.material;
+  constexpr std::array<double, 3> black{};
+  const bool is_phong = material.fresnel == FresnelTerm::none;
+  const bool is_specular = is_phong && material.f0 != ColourRange{};
+  const bool emits = entry.emission ? *entry.emission != black : entry.has_emission_map;
+  const std::pair<const char*, bool> features[]{
+      {"base colour texture", entry.has_diffuse_map && entry.diffuse != black},
+      {"roughness texture", material.power_texture == PowerTexture::roughness},
+      {"shininess texture", material.power_texture == PowerTexture::power},
+      {"metallic texture", !reading.metallic.is_constant()},
+      {"specular", is_specular},
+      {"specular texture", is_specular && entry.has_specular_map},
+      {"ior", !is_phong && reading.metallic.least < 1 && entry.index_of_refraction.value_or(1.5) != 1.5},
+      {"normal map", entry.has_normal_map},
+      {"emission", emits},
+      {"emission texture", emits && entry.has_emission_map},
+      {"alpha blend", entry.opacity < 1 || entry.has_opacity_map},
+      {"clear coat", entry.left_out.contains("Pc")},
+      {"sheen", entry.left_out.contains("Ps")},
+      {"anisotropy", entry.left_out.contains("aniso")}};
+  Features found;
+  for (const auto& [feature, is_needed] : features) {
+    if (is_needed) found.insert(feature);
+  }
+  return found;
 }
 
 }  // namespace
@@ -164,6 +196,7 @@ Material mtl_material(const MtlEntry& entry, const std::string& file, MtlMapRead
       read_phong(reading);
     }
   });
+  if (conventions.has_features) reading.material.features = features_of(reading);
   for (const std::string& key : entry.left_out) reading.material.remarks.push_back(key + " is left out");
   return std::move(reading.material);
 }

@@ -2,15 +2,15 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <numbers>
 
 #include "approx/shading.hpp"
 #include "fit/least_squares/linear_optimum.hpp"
+#include "fit/study_exchange/surface_programme.hpp"
 
 namespace shadefit::scene {
 namespace {
-
-constexpr double golden = std::numbers::phi - 1;
 
 /// Powers within this ratio need the same constants.
 constexpr double neighbours = 1.1;
@@ -219,56 +219,24 @@ double LobeFitter::sampled_error(std::span<const double> slopes, double offset, 
 double LobeFitter::best_offset() {
   ++fits_run_;
   const std::array slope{natural_slope};
-  // The maximum of functions that first fall and then rise has the same shape. The exact value of the larger
-  // of two errors does not matter: it is never used again.
-  const auto error = [&](double offset, double other) { return sampled_error(slope, offset, other); };
-  double low = 0, high = 16;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double error_at_a = error(a, HUGE_VAL), error_at_b = error(b, error_at_a);
-  constexpr double near = 1e-4;
-  while (high - low > near) {
-    if (error_at_a <= error_at_b) {
-      high = b;
-      b = a;
-      error_at_b = error_at_a;
-      a = high - golden * (high - low);
-      error_at_a = error(a, error_at_b);
-    } else {
-      low = a;
-      a = b;
-      error_at_a = error_at_b;
-      b = low + golden * (high - low);
-      error_at_b = error(b, error_at_a);
-    }
-  }
-  return low + (high - low) / 2;
+  constexpr double most = 16;
+  constexpr int bits = 20;
+  // The maximum of functions that first fall and then rise has the same shape.
+  return boost::math::tools::brent_find_minima([&](double offset) { return sampled_error(slope, offset); },
+                                               0.0, most, bits)
+      .first;
 }
 
 std::vector<double> LobeFitter::best_slopes(int count) {
   ++fits_run_;
   if (places_.empty()) places_ = weighted_places();
   const SlopeRows rows(places_, static_cast<std::size_t>(count));
-  const auto size = rows.target.size();
-  Eigen::VectorXd worth(size);
-  for (Eigen::Index i = 0; i < size; ++i) worth[i] = places_[static_cast<std::size_t>(i)].worth;
-  // The iteration makes the weighted |error| equal at all places where it is largest.
-  Eigen::VectorXd level = Eigen::VectorXd::Constant(size, 1.0 / static_cast<double>(size));
-  Eigen::VectorXd best = Eigen::VectorXd::Zero(count);
-  double least = HUGE_VAL;
-  constexpr int iterations = 60;
-  for (int i = 0; i < iterations; ++i) {
-    const Eigen::VectorXd slopes = rows.solve((level.array().sqrt() * worth.array()).matrix());
-    const Eigen::VectorXd error = (rows.powers * slopes - rows.target).cwiseAbs().cwiseProduct(worth);
-    if (error.maxCoeff() < least) {
-      least = error.maxCoeff();
-      best = slopes;
-    }
-    level = level.cwiseProduct(error);
-    const double sum = level.sum();
-    if (!(sum > 0)) break;
-    level /= sum;
-  }
-  return rounded(best);
+  Eigen::VectorXd worth(rows.target.size());
+  for (Eigen::Index i = 0; i < worth.size(); ++i) worth[i] = places_[static_cast<std::size_t>(i)].worth;
+  const auto step = level_step(-rows.target.cwiseProduct(worth), worth.asDiagonal() * rows.powers, 0);
+  // Lobes so dull that no place counts for all slopes have those of least squares.
+  if (!step) return rounded(rows.solve(worth));
+  return rounded(Eigen::Map<const Eigen::VectorXd>(step->lowest.unknowns.data(), count));
 }
 
 }  // namespace shadefit::scene

@@ -25,14 +25,13 @@ class LobeFitter {
   /// the largest factor. `used`: the powers of mean errors; without them there are no mean errors.
   LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale, std::span<const UsedPower> used = {});
 
-  /// The offset x in [0, 16] of a Gaussian, to four decimals, by golden section search. A bright lobe is
-  /// clamped up to t = n y = log g. There (n + x) y = t + t^2/(2n) gives x = t/2: at most 9.
+  /// The offset x in [0, 16] of a Gaussian, by Brent's method. A bright lobe is clamped up to t = n y = log
+  /// g. There (n + x) y = t + t^2/(2n) gives x = t/2: at most 9.
   double best_offset();
 
-  /// The slopes of log2(c) in y = c - 1, 2 to 4, each rounded to a float. By Lawson's iteration of weighted
-  /// least squares: the error of a lobe is the error of the slopes times n, the lobe's value and its factor.
-  /// Source: Lawson 1961, "Contributions to the Theory of Linear Least Maximum Approximation", thesis,
-  /// University of California.
+  /// The slopes of log2(c) in y = c - 1, 2 to 4, each rounded to a float, by the exchange
+  /// (fit/minimax/linear_programme.hpp): the error of a lobe is the error of the slopes times n, the lobe's
+  /// value and its factor.
   std::vector<double> best_slopes(int count);
 
   /// The form with the smallest mean error, by iteratively reweighted least squares: within a few percent of

@@ -259,20 +259,9 @@ class Planner {
     const std::string why = chosen.cheaper.empty() ? "the cheapest, and near enough"
                             : is_bright ? chosen.cheaper + ": (n + 2)/8 cancels its smaller error for large n"
                                         : chosen.cheaper;
-    const std::string dear = price_of(chosen.form);
-    if (chosen.mean_error == 0) return why + dear;
-    return why + dear + "; powers weighted by their use: mean error " + decimal(chosen.mean_error, 2) +
+    if (chosen.mean_error == 0) return why;
+    return why + "; powers weighted by their use: mean error " + decimal(chosen.mean_error, 2) +
            ", minimax constants have " + decimal(chosen.mean_error_of_level, 2);
-  }
-
-  /// The instructions of the slopes, with EXP2 and LOG2 counted as four each, if the power itself costs no
-  /// more.
-  std::string price_of(const LobeForm& form) const {
-    constexpr int of_power = 9, beside_slopes = 5;  // LOG2, MUL, EXP2; c - 1, MUL and EXP2
-    const int cost = beside_slopes + static_cast<int>(form.slopes.size()) + (lobes_.is_textured() ? 1 : 0);
-    if (form.slopes.size() < 2 || cost < of_power) return "";
-    return std::string("; ") + (cost == of_power ? "as dear as" : "dearer than") +
-           " the power, but without LOG2, which errs near 1";
   }
 
   void decide_exp2(const LobeForm& form, double left) {

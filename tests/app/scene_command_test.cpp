@@ -163,6 +163,30 @@ TEST(SceneCommand, LeavesNothingOfAnotherPlan) {
   EXPECT_TRUE(left.contains("mine"));
 }
 
+TEST(SceneCommand, ListsTheFeatures) {
+  const TemporaryDirectory directory;
+  const std::string a = directory.file("scenes/a.mtl", two_materials);
+  const std::string b = directory.file(
+      "scenes/b.gltf", R"({"asset":{"version":"2.0"},"materials":[{"name":"mirror","doubleSided":true}]})");
+  const Outcome text = run_command_line({"scene", directory / "scenes", "--features"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out,
+            "3 materials, 3 sets of 2 features: double sided, specular\n\n1 material: no feature\n  wall (" +
+                a + ")\n\n1 material: double sided\n  mirror (" + b + ")\n\n1 material: specular\n  floor (" +
+                a + ")\n");
+  const auto json = nlohmann::json::parse(run_command_line({"scene", a, b, "--features", "--json"}).out);
+  EXPECT_EQ(json.at("features"), nlohmann::json::array({"double sided", "specular"}));
+  EXPECT_EQ(json.at("sets").size(), 3U);
+  EXPECT_EQ(json.at("sets").at(0).at("materials"), 1);
+  EXPECT_EQ(json.at("materials").at(2).at("name"), "mirror");
+  EXPECT_EQ(json.at("materials").at(2).at("features"), nlohmann::json::array({"double sided"}));
+  for (const char* option : {"--lang", "--out"}) {
+    const Outcome refused = run_command_line({"scene", a, "--features", option, "glsl"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find(" excludes "), std::string::npos) << refused.err;
+  }
+}
+
 TEST(SceneCommand, ExitsOneBeyondTheTolerance) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("a.mtl", "newmtl mirror\nNs 1000000\nKs 1 1 1\nillum 2\n");

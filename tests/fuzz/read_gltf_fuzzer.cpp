@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view content(reinterpret_cast<const char*>(data), size);
   const char* const file = content.starts_with("glTF") ? "/no such folder/a.glb" : "/no such folder/a.gltf";
   try {
-    fuzz::require_holds(scene::read_gltf(content, file, {}));
+    fuzz::require_holds(scene::read_gltf(content, file, {.has_features = true}));
     fuzz::require_holds(
         scene::read_gltf(content, file, {.is_roughness_squared = false, .is_gloss_exponential = true}));
   } catch (const UserError&) {

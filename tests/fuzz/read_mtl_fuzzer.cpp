@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view content(reinterpret_cast<const char*>(data), size);
   const char* const file = "/no such folder/a.mtl";
   try {
-    fuzz::require_holds(scene::read_mtl(content, file, {}));
+    fuzz::require_holds(scene::read_mtl(content, file, {.has_features = true}));
     fuzz::require_holds(scene::read_mtl(content, file, {.are_maps_pbr = true}));
   } catch (const UserError&) {
     return 0;  // refused, as bad input has to be

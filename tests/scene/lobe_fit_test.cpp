@@ -53,7 +53,7 @@ TEST(LobeFit, TheBestSlopesAreBest) {
       for (const double change : {-0.02, 0.02}) {
         std::vector<double> other = slopes;
         other[i] += change;
-        // Lawson's iteration comes within some percent of the minimax
+        // the exchange is of a linearised error, within some percent of the minimax
         EXPECT_GT(fitter.sampled_error(other, 0), 0.97 * error) << count << " " << i;
       }
     }

@@ -343,30 +343,5 @@ TEST(Plan, SaysWhatItDoesNotCount) {
   EXPECT_EQ(notes(scene).find("roughness"), std::string::npos) << "Ns is no roughness";
 }
 
-// Four slopes save LOG2, and no instruction.
-TEST(Plan, SaysWhereSlopesAreDear) {
-  const Scene textured = dull_scene();
-  Scene constant = textured;
-  constant.materials[0].power_texture = PowerTexture::none;
-  constant.materials = {wavefront("a", 0.04, 10.5), wavefront("b", 0.04, 20.5)};
-  struct Expected {
-    const Scene& scene;
-    double tolerance;
-    std::size_t slopes;
-    std::string price;
-  };
-  for (const Expected& expected :
-       {Expected{textured, 1.0 / 4096, 2, ""}, Expected{textured, 1.0 / 32768, 3, "; as dear as the power"},
-        Expected{textured, 1.0 / 262144, 4, "; dearer than the power"},
-        Expected{constant, 1.0 / 32768, 3, ""},
-        Expected{constant, 1.0 / 262144, 4, "; as dear as the power"}}) {
-    const Plan plan = make_plan(expected.scene, {.tolerance = expected.tolerance});
-    ASSERT_EQ(plan.shading.lobe.slopes.size(), expected.slopes) << expected.tolerance;
-    const std::string reason = decision(plan, "lobe").reason;
-    EXPECT_EQ(reason.find("dear") != std::string::npos, !expected.price.empty()) << reason;
-    EXPECT_NE(reason.find(expected.price), std::string::npos) << reason;
-  }
-}
-
 }  // namespace
 }  // namespace shadefit::scene

@@ -42,6 +42,17 @@ TEST(ReadScene, TakesFilesTogether) {
   EXPECT_TRUE(scene_of({}).materials.empty());
 }
 
+TEST(ReadScene, AFolderStandsForItsScenes) {
+  const TemporaryDirectory directory;
+  directory.file("b.mtl", "newmtl b\n");
+  directory.file("deep/er/a.GLTF", gltf_of(R"("materials":[{"name":"a"}])"));
+  directory.file("deep/c.obj", "mtllib gone.mtl\n");
+  EXPECT_EQ(names_of(scene_of({directory.path()})), (Names{"b", "a"}));
+  std::filesystem::create_directory(directory.path() / "empty");
+  EXPECT_EQ(refusal([&] { scene_of({directory / "empty"}); }),
+            "'" + (directory / "empty") + "' holds no .gltf, .glb or .mtl");
+}
+
 TEST(ReadScene, RefusesOtherExtensions) {
   EXPECT_EQ(refusal([&] { scene_of({"a.fbx"}); }),
             "cannot read 'a.fbx': its name must end with .gltf, .glb, .mtl or .obj");

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/materials/material.hpp"
 #include "tests/refusal.hpp"
 
 /// Small scenes and pictures, made where they are wanted.
@@ -113,11 +114,49 @@ inline std::string gltf_of_material(const std::string& members) {
   return gltf_of(R"("materials":[{)" + members + "}]");
 }
 
+/// Members of a material.
+inline std::string metal(const std::string& members) {
+  return R"("pbrMetallicRoughness":{)" + members + "}";
+}
+inline std::string khr(const std::string& name, const std::string& members) {
+  return R"("extensions":{"KHR_materials_)" + name + R"(":{)" + members + "}}";
+}
+
 /// One whose only material has a metallic-roughness texture, read from the image with these members.
 inline std::string gltf_of_image(const std::string& image, const std::string& more = "") {
   return gltf_of(R"("materials":[{"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}}],)"
                  R"("textures":[{"source":0}],"images":[{)" +
                  image + "}]" + more);
+}
+
+/// What a plan needs of a material, to 12 digits: "F0 0.04, F90 1, n 0 (0.5) 30 (0.5) of roughness; what is
+/// unknown; what is remarked". A range is "0 to 1", colours that differ are listed, and so are four powers at
+/// most with their shares.
+inline std::string told(const scene::Material& material) {
+  const auto range = [](const scene::Range& r) {
+    return r.is_constant() ? fmt::format("{:.12g}", r.most)
+                           : fmt::format("{:.12g} to {:.12g}", r.least, r.most);
+  };
+  const auto& f0 = material.f0;
+  std::string text = material.is_unlit ? "unlit, F0 " : "F0 ";
+  text += range(f0[0]);
+  if (f0[1] != f0[0] || f0[2] != f0[0]) text += " | " + range(f0[1]) + " | " + range(f0[2]);
+  text += material.fresnel == scene::FresnelTerm::none ? ", no Fresnel, n"
+                                                       : ", F90 " + range(material.f90) + ", n";
+  const auto& powers = material.powers;
+  if (powers.size() > 4)
+    text += fmt::format(" {:.12g} to {:.12g}", powers.front().power, powers.back().power);
+  for (const scene::PowerShare& share : powers) {
+    if (powers.size() == 1) text += fmt::format(" {:.12g}", share.power);
+    if (powers.size() > 1 && powers.size() <= 4)
+      text += fmt::format(" {:.12g} ({:.12g})", share.power, share.share);
+  }
+  constexpr const char* of[]{"", " of roughness", " of gloss", " of a power"};
+  text += of[static_cast<std::size_t>(material.power_texture)];
+  for (const auto* lines : {&material.unknowns, &material.remarks}) {
+    for (const std::string& line : *lines) text += "; " + line;
+  }
+  return text;
 }
 
 }  // namespace shadefit::testing

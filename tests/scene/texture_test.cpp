@@ -82,23 +82,20 @@ TEST(Texture, CountsEachChannel) {
   EXPECT_EQ(histograms[1], counted({{2, 1}, {20, 1}}));
 }
 
-TEST(Texture, GreyIsEveryColourAndNoAlphaIsOpaque) {
+TEST(Texture, GreyIsEveryColourNoAlphaIsOpaqueAndDepthsAreEightBits) {
   const std::string grey = png_of({2, 2, PNG_COLOR_TYPE_GRAY, {5, 5, 5, 6}});
+  const std::string with_alpha = png_of({1, 2, PNG_COLOR_TYPE_GRAY_ALPHA, {5, 9, 6, 10}});
+  const std::string deep = png_of({2, 1, PNG_COLOR_TYPE_GRAY, {0xFF, 0xFF, 0x80, 0x80}, 16});
+  const std::string bits = png_of({8, 1, PNG_COLOR_TYPE_GRAY, {0b11100000}, 1});
+  const std::string palette = png_of({2, 1, PNG_COLOR_TYPE_PALETTE, {3, 4}});
   EXPECT_EQ(counts_of(grey, Channel::red), counted({{5, 3}, {6, 1}}));
   EXPECT_EQ(counts_of(grey, Channel::blue), counted({{5, 3}, {6, 1}}));
   EXPECT_EQ(counts_of(grey, Channel::alpha), counted({{255, 4}}));
-  const std::string with_alpha = png_of({1, 2, PNG_COLOR_TYPE_GRAY_ALPHA, {5, 9, 6, 10}});
   EXPECT_EQ(counts_of(with_alpha, Channel::green), counted({{5, 1}, {6, 1}}));
   EXPECT_EQ(counts_of(with_alpha, Channel::alpha), counted({{9, 1}, {10, 1}}));
-}
-
-TEST(Texture, OtherDepthsAndPalettesAreEightBits) {
-  EXPECT_EQ(counts_of(png_of({2, 1, PNG_COLOR_TYPE_GRAY, {0xFF, 0xFF, 0x80, 0x80}, 16}), Channel::red),
-            counted({{255, 1}, {128, 1}}));
-  EXPECT_EQ(counts_of(png_of({8, 1, PNG_COLOR_TYPE_GRAY, {0b11100000}, 1}), Channel::red),
-            counted({{0, 5}, {255, 3}}));
-  EXPECT_EQ(counts_of(png_of({2, 1, PNG_COLOR_TYPE_PALETTE, {3, 4}}), Channel::green),
-            counted({{252, 1}, {251, 1}}));
+  EXPECT_EQ(counts_of(deep, Channel::red), counted({{255, 1}, {128, 1}}));
+  EXPECT_EQ(counts_of(bits, Channel::red), counted({{0, 5}, {255, 3}}));
+  EXPECT_EQ(counts_of(palette, Channel::green), counted({{252, 1}, {251, 1}}));
 }
 
 // 1 x 1 to 9 x 9: of small ones some passes are empty.
