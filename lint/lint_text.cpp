@@ -6,58 +6,13 @@
 
 #include "lint/expression/calls.hpp"
 #include "lint/expression/program_text.hpp"
-#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
+#include "lint/scan/lists.hpp"
 #include "lint/scan/named_numbers.hpp"
 #include "lint/site_judge.hpp"
 
 namespace shadefit::lint {
 namespace {
-
-/// A list of this many numbers is a table: among so many, some are near published ones.
-constexpr std::size_t least_table = 64;
-
-/// Whether this text between two numbers has a comma and otherwise only signs, zeros, brackets and
-/// constructors: "), vec3(0, -".
-bool is_between_elements(std::string_view text) {
-  bool has_comma = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    has_comma = has_comma || text[i] == ',';
-    if (is_letter(text[i])) {
-      i = end_of_run(text, i, [](char c) { return is_of_name(c) || c == '<' || c == '>'; });
-      if (i == text.size() || !is_one_of(text[i], "([{")) return false;
-    } else if (!is_blank(text[i]) && !is_one_of(text[i], ",+-()[]{}0.")) {
-      return false;
-    }
-  }
-  return has_comma;
-}
-
-/// Whether the numbers from the first to the last literal are in one list of at least `least_table` numbers,
-/// perhaps of lists or of vectors: {{0.1, 0.2}, {0.3, 0.4}}. Its comments do not matter.
-bool is_in_table(const ScannedText& text, std::size_t first, std::size_t last) {
-  constexpr std::size_t longest = 400;
-  const std::size_t none = text.literals.size();
-  // The next number of the list outside of comments, behind or before one.
-  const auto next_to = [&](std::size_t literal, bool is_behind) {
-    std::size_t next = literal;
-    do next = is_behind ? next + 1 : next - 1;  // 0 - 1 is beyond all
-    while (next < none && text.literals[next].is_in_comment);
-    if (next >= none) return none;
-    const std::string_view between = text_between(text, std::min(literal, next), std::max(literal, next));
-    return between.size() <= longest && is_between_elements(without_comments(between, text.style)) ? next
-                                                                                                   : none;
-  };
-  std::size_t count = 1;
-  for (std::size_t i = first; i < last; ++count) {
-    i = next_to(i, true);
-    if (i > last) return false;
-  }
-  for (std::size_t i = next_to(first, false); i != none && count < least_table; i = next_to(i, false))
-    ++count;
-  for (std::size_t i = next_to(last, true); i != none && count < least_table; i = next_to(i, true)) ++count;
-  return count >= least_table;
-}
 
 /// Whether the numbers fit another set: one with a slip, the others with fewer digits at most. Numbers with
 /// more digits are not from there.
@@ -119,9 +74,12 @@ std::vector<JudgedSite> judge_numbers(const ScannedText& text, const KnownConsta
   const auto program_of = [&](const Site& site) {
     const bool is_in_comment = text.literals[site.numbers.front().literal].is_in_comment;
     std::optional<std::string>& program = is_in_comment ? comments : code;
-    if (!program)
-      program = with_joined_strings(
-          is_in_comment ? std::string(text.text) : with_blank_comments(text.text, text.style), text.style);
+    if (!program) {
+      program = is_in_comment ? std::string(text.text) : with_blank_comments(text.text, text.style);
+      const std::string joined = with_joined_strings(*program, text.style);
+      // The strings may have comments of their own.
+      if (joined != *program) program = is_in_comment ? joined : with_blank_comments(joined, text.style);
+    }
     return ScannedText{*program, text.style, text.literals};
   };
   const auto reading = [&](const Site& site) {

@@ -97,7 +97,7 @@ bool is_number_type(std::string_view word) {
 std::string usual_name(std::string_view word) {
   word = plain_name(word);
   const std::string small = in_small_letters(word);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 17> names{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> names{{
       {"powr", "pow"},
       {"spow", "pow"},
       {"powi", "pow"},
@@ -108,8 +108,6 @@ std::string usual_name(std::string_view word) {
       {"degtorad", "radians"},
       {"rad2deg", "degrees"},
       {"radtodeg", "degrees"},
-      {"arccos", "acos"},
-      {"arctan", "atan"},
       {"frcp", "rcp"},  // of CUDA
       {"drcp", "rcp"},
       {"recip", "rcp"},  // of OpenCL

@@ -79,7 +79,7 @@ class ChoiceReader {
 
  private:
   std::string text_at(std::size_t i) const {
-    return std::string(trimmed(without_comments(statements_[i].text, style_)));
+    return std::string(trimmed(with_joined_lines(statements_[i].text)));
   }
 
   /// Whether a statement is only the blanks between others, and no end of a block.

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "lint/expression/source_expression.hpp"
+#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {
@@ -34,36 +35,19 @@ std::size_t macro_body(std::string_view text, std::size_t at) {
   const std::size_t least = at - std::min(at, most_bytes);
   std::size_t begin = at;
   while (begin > least && (text[begin - 1] != '\n' || joins_lines(text, begin - 1))) --begin;
-  const auto skip_blanks = [&] {
-    while (begin < at && (text[begin] == ' ' || text[begin] == '\t')) ++begin;
-  };
-  skip_blanks();
+  const std::string_view before = text.substr(0, at);
+  begin = end_of_run(before, begin, is_blank_in_line);
   if (begin == at || text[begin] != '#') return 0;
-  ++begin;
-  skip_blanks();
+  begin = end_of_run(before, begin + 1, is_blank_in_line);
   if (!text.substr(begin).starts_with(word)) return 0;
-  begin += word.size();
-  skip_blanks();
-  while (begin < at && is_of_name(text[begin])) ++begin;
+  begin = end_of_run(before, end_of_run(before, begin + word.size(), is_blank_in_line), is_of_name);
   if (begin < at && text[begin] == '(') begin = std::min(text.find(')', begin), at - 1) + 1;
   return begin;
 }
 
-char before(std::string_view text, std::size_t at) {
-  while (at > 0 && is_blank(text[at - 1])) --at;
-  return at > 0 ? text[at - 1] : ';';
-}
-
-char after(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_blank(text[at])) ++at;
-  return at < text.size() ? text[at] : ';';
-}
-
 /// Whether the line that ends here continues in the next one.
-bool goes_on(std::string_view text, std::size_t line_end) {
-  if (joins_lines(text, line_end)) return true;
-  const char last = before(text, line_end), next = after(text, line_end);
-  return is_one_of(last, "+-*/(,?:<>&|=[^%") || is_one_of(next, "+-*/),?:<>&|]^.");
+bool continues(std::string_view text, std::size_t line_end) {
+  return joins_lines(text, line_end) || goes_on(text, line_end, "+-*/(,?:<>&|=[^%", "+-*/),?:<>&|]^.");
 }
 
 bool is_assignment(std::string_view text, std::size_t at) {
@@ -92,7 +76,7 @@ std::size_t begin_of(std::string_view text, std::size_t begin) {
     if (ends_statement(text, begin - 1)) break;
     // "=>" stands between the parameters and the value of a function.
     if (is_assignment(text, begin - 1) && text.substr(begin - 1, 2) != "=>") break;
-    if (c == '\n' && depth == 0 && !goes_on(text, begin - 1)) break;
+    if (c == '\n' && depth == 0 && !continues(text, begin - 1)) break;
     if (is_close(c)) ++depth;
     if (is_open(c) && depth-- == 0) break;
     if (c == ',' && depth == 0) break;
@@ -109,7 +93,7 @@ std::size_t end_of(std::string_view text, std::size_t end) {
   while (end < most) {
     const char c = text[end];
     if (ends_statement(text, end) || is_assignment(text, end)) break;
-    if (c == '\n' && depth == 0 && !goes_on(text, end)) break;
+    if (c == '\n' && depth == 0 && !continues(text, end)) break;
     if (c == '\n' && is_in_macro && !joins_lines(text, end)) break;
     if (is_open(c)) ++depth;
     if (is_close(c) && depth-- == 0) break;

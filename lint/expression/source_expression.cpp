@@ -13,7 +13,7 @@
 #include "lint/expression/calls.hpp"
 #include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
-#include "lint/scan/literals.hpp"
+#include "lint/scan/notation.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -33,19 +33,8 @@ class Rewriter {
         number();
       } else if (is_of_name(c)) {
         if (!word()) return std::nullopt;
-      } else if (c == '*' && peek(1) == '*') {
-        out_ += '^';
-        at_ += 2;
-        blanks();
-        if (peek(0) == '-') {  // the sign of an exponent is directly before it
-          out_ += '-';
-          ++at_;
-          blanks();
-        }
       } else if (c == '.') {
         if (!method()) return std::nullopt;
-      } else if (c == '-' && is_behind_operator()) {
-        negation();
       } else if (c == '+' && is_unary_plus()) {
         ++at_;
       } else {
@@ -71,52 +60,16 @@ class Rewriter {
     return end == 0 ? '(' : out_[end - 1];
   }
 
-  bool is_behind_operator() const { return is_one_of(last(), "+-*/"); }
-
   /// A sign that changes nothing, as in "return + a * x"; not that of "++i".
   bool is_unary_plus() const { return peek(1) != '+' && is_one_of(last(), "+-*/^(,?:<>=&|"); }
 
-  /// Programs write a + -2 * b and a / -b; formulas need a + (-2) * b and a / (-1) / b.
-  void negation() {
-    const char before = last();
-    ++at_;
-    blanks();
-    if (is_digit(peek(0)) || peek(0) == '.') {
-      out_ += "(-";
-      number();
-      out_ += ')';
-    } else {
-      out_ += before == '/' ? "(-1) / " : "(-1) * ";
-    }
-  }
-
   /// A number without its suffix and separators.
   void number() {
-    const std::size_t first = at_;
-    const auto is_sign_of_exponent = [&] {
-      const char last = at_ > first ? text_[at_ - 1] : ' ';
-      return (peek(0) == '-' || peek(0) == '+') && (last == 'e' || last == 'E') && is_digit(peek(1));
-    };
-    const auto is_part = [&] {
-      const bool has_member = is_letter(peek(1)) && peek(1) != 'f';
-      return is_of_name(peek(0)) || (peek(0) == '.' && !has_member) || is_sign_of_exponent();
-    };
-    while (is_part()) ++at_;
-    out_ += plain(digits_of(std::string_view(text_).substr(first, at_ - first)));
-  }
-
-  static std::string plain(const Digits& digits) {
-    if (digits.text.empty()) return "0";
-    constexpr int most_zeros = 20;
-    const auto count = static_cast<int>(digits.text.size());
-    if (digits.exponent < -most_zeros || digits.exponent > most_zeros)
-      return "0." + digits.text + "e" + std::to_string(digits.exponent);
-    if (digits.exponent <= 0)
-      return "0." + std::string(static_cast<std::size_t>(-digits.exponent), '0') + digits.text;
-    if (digits.exponent >= count)
-      return digits.text + std::string(static_cast<std::size_t>(digits.exponent - count), '0');
-    const auto whole = static_cast<std::size_t>(digits.exponent);
-    return digits.text.substr(0, whole) + "." + digits.text.substr(whole);
+    const Notation number = parts_of_number(std::string_view(text_).substr(at_));
+    const std::size_t end = at_ + number.length - number.suffix.size();
+    for (std::size_t i = at_; i < end; ++i)
+      if (!is_one_of(text_[i], "_'")) out_ += text_[i];
+    at_ += number.length;
   }
 
   std::string take_word() {
@@ -336,7 +289,7 @@ bool is_number(const Symbolic& formula) {
 }
 
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
-  std::string plain(function_value(without_comments(text, style)));
+  std::string plain(function_value(with_joined_lines(text)));
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
   Rewriter source(std::move(plain));
   const auto rewritten = source.rewrite();

@@ -27,24 +27,19 @@ std::size_t place_outside(std::string_view text, std::string_view word) {
   return text.size();
 }
 
-std::string without_comments(std::string_view text, CommentStyle style) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_line = (has_slashes(style) && text.substr(i, 2) == "//") ||
-                         (style == CommentStyle::hash && begins_hash_comment(text, i));
-    if (is_line) {
-      i = std::min(text.find('\n', i), text.size());
-    } else if (has_slashes(style) && text.substr(i, 2) == "/*") {
-      i = std::min(text.find("*/", i + 2), text.size()) + 1;
-    } else if (text[i] == '\\' &&
-               text.substr(end_of_run(text, i + 1, [](char c) { return c == '\r'; })).starts_with('\n')) {
-      // The body of a macro goes on in the next line.
-    } else {
-      out += text[i];
-      continue;
-    }
-    out += ' ';
-  }
+bool goes_on(std::string_view text, std::size_t line_end, std::string_view last, std::string_view next) {
+  const std::size_t before = begin_of_run(text, line_end, is_blank),
+                    behind = end_of_run(text, line_end, is_blank);
+  return (before > 0 && is_one_of(text[before - 1], last)) ||
+         (behind < text.size() && is_one_of(text[behind], next));
+}
+
+std::string with_joined_lines(std::string_view text) {
+  std::string out(text);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\\' &&
+        text.substr(end_of_run(text, i + 1, [](char c) { return c == '\r'; })).starts_with('\n'))
+      out[i] = ' ';
   return out;
 }
 

@@ -30,8 +30,12 @@ std::optional<Assignment> assignment_of(std::string_view statement);
 /// The first place of a word outside of parentheses, or the end of the text.
 std::size_t place_outside(std::string_view text, std::string_view word);
 
-/// The text without comments, and without the backslashes that join its lines.
-std::string without_comments(std::string_view text, CommentStyle style);
+/// Whether a statement goes on behind the end of a line: `last` has the last character before it, or `next`
+/// the first behind it.
+bool goes_on(std::string_view text, std::size_t line_end, std::string_view last, std::string_view next);
+
+/// The text without the backslashes that join its lines, as in the body of a macro.
+std::string with_joined_lines(std::string_view text);
 
 /// The statements, with each `if` and what belongs to it as one choice: "if (x < t) return a; return b;" is
 /// "return (x < t) ? (a) : (b)". Each branch has to be one statement, and both return a value or assign to

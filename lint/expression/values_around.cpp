@@ -45,9 +45,7 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
     if (is_one_of(c, ";{}")) return true;
     // Python, Go, Swift and JavaScript end a statement with its line.
     if (c != '\n' || depth > 0) return false;
-    const std::size_t last = begin_of_run(text, i, is_blank), next = end_of_run(text, i, is_blank);
-    return !(last > 0 && is_one_of(text[last - 1], joining)) &&
-           !(next < text.size() && is_one_of(text[next], "+-*/)?:.,"));
+    return !goes_on(text, i, joining, "+-*/)?:.,");
   };
   std::size_t first = begin;
   const std::size_t least = begin - std::min(begin, most_bytes_around);

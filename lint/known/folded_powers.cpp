@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,63 +21,39 @@ std::optional<int> power_of_ten(const Symbolic& formula) {
   return parse_number("1e" + std::to_string(exponent)) == value ? std::optional(exponent) : std::nullopt;
 }
 
-/// Takes the powers of ten that multiply a constant out of a formula.
-class PowerFolder {
- public:
-  explicit PowerFolder(std::string constant) : constant_(std::move(constant)) {}
+/// Whether a product has this factor: v in 2 pi v.
+bool has_factor(const Symbolic& product, const std::string& name) {
+  const Symbolic::Kind kind = product.kind();
+  if (kind == Symbolic::Kind::variable) return product.name() == name;
+  return (kind == Symbolic::Kind::multiply || kind == Symbolic::Kind::negate) &&
+         std::ranges::any_of(product.parts(), [&](const Symbolic& part) { return has_factor(part, name); });
+}
 
-  /// The formula without them. Empty unless the constant has the same power at each place.
-  std::optional<Symbolic> folded(const Symbolic& formula) {
-    const Product whole = fold(formula);
-    return whole.is_bare || !is_uniform_ ? std::nullopt : std::optional(whole.formula);
-  }
-
-  /// The exponent of the power of ten that was folded; 0 if the formula has no such power.
-  int exponent() const { return exponent_; }
-
- private:
-  struct Product {
-    Symbolic formula;
-    bool is_bare = false;  ///< whether the constant is a factor of it, so far without a power of ten
-  };
-
-  Product fold(const Symbolic& formula) {
-    if (formula.kind() == Symbolic::Kind::variable) return {formula, formula.name() == constant_};
-    std::vector<Symbolic> parts;
-    bool is_bare = false;
-    for (const Symbolic& part : formula.parts()) {
-      const Product inner = fold(part);
-      parts.push_back(inner.formula);
-      is_bare = is_bare || inner.is_bare;
-    }
-    const bool is_product = formula.kind() == Symbolic::Kind::multiply;
-    if (is_bare && is_product) {
-      for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-        const auto power = power_of_ten(parts[side]);
-        if (!power) continue;
-        is_uniform_ = is_uniform_ && (exponent_ == 0 || exponent_ == *power);
-        exponent_ = *power;
-        return {parts[1 - side], false};
+/// A formula without the power of ten that multiplies a constant. `exponents` gets that of each place of the
+/// constant; 0: it has none.
+Symbolic without_power(const Symbolic& formula, const std::string& constant, std::set<int>& exponents) {
+  if (formula.kind() == Symbolic::Kind::variable && formula.name() == constant) exponents.insert(0);
+  std::vector<Symbolic> parts = formula.parts();
+  if (formula.kind() == Symbolic::Kind::multiply)
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
+      if (const auto power = power_of_ten(parts[1 - side]); power && has_factor(parts[side], constant)) {
+        exponents.insert(*power);
+        return parts[side];
       }
-    }
-    if (is_bare && !is_product && formula.kind() != Symbolic::Kind::negate) is_uniform_ = false;
-    return {formula.with_parts(std::move(parts)), is_bare && is_uniform_};
-  }
+  for (Symbolic& part : parts) part = without_power(part, constant, exponents);
+  return formula.with_parts(std::move(parts));
+}
 
-  std::string constant_;
-  int exponent_ = 0;
-  bool is_uniform_ = true;
-};
-
-/// Makes one number of a constant and the power of ten that multiplies it. True if there is one.
+/// Makes one number of a constant and the power of ten that multiplies it at each place. True if there is
+/// one.
 bool fold_power(KnownSet& set, std::size_t place) {
   KnownConstant& constant = set.constants[place];
-  PowerFolder folder(constant.name);
-  const auto formula = folder.folded(set.formula);
-  if (!formula || folder.exponent() == 0) return false;
+  std::set<int> exponents;
+  const Symbolic formula = without_power(set.formula, constant.name, exponents);
+  if (exponents.size() != 1 || exponents.contains(0)) return false;
   if (constant.printed.find_first_of("eE") != std::string::npos) return false;
-  set.formula = *formula;
-  const std::string power = "e" + std::to_string(folder.exponent());  // 5.4856e-13
+  set.formula = formula;
+  const std::string power = "e" + std::to_string(*exponents.begin());  // 5.4856e-13
   constant.printed += power;
   constant.value = *parse_number(constant.printed);
   for (KnownVariant& variant : set.variants)

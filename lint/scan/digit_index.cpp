@@ -82,11 +82,8 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
   for (std::uint32_t e = 0; e < entries_.size(); ++e) {
     const std::string& text = entries_[e].digits.text;
     if (entries_[e].variant || entries_[e].is_common || text.size() < least_digits_to_vary) continue;
-    for (std::size_t skipped = 0; skipped <= text.size(); ++skipped) {
-      const std::uint64_t key = key_of(text, skipped);
-      keys_.emplace_back(key, e);
-      has_key_[key % has_key_.size()] = true;
-    }
+    for (std::size_t skipped = 0; skipped <= text.size(); ++skipped)
+      keys_.emplace_back(key_of(text, skipped), e);
   }
   std::ranges::sort(keys_);
   for (const Entry& multiple : multiples_) {
@@ -137,7 +134,6 @@ void DigitIndex::look_near(const Digits& found, double mantissa, std::vector<Num
 void DigitIndex::look_edited(const Digits& found, std::vector<NumberMatch>& matches) const {
   for (std::size_t skipped = 0; skipped <= found.text.size(); ++skipped) {
     const std::uint64_t key = key_of(found.text, skipped);
-    if (!has_key_[key % has_key_.size()]) continue;
     for (const auto& [same, place] : between(keys_, key, key, &Key::first)) {
       const Entry& entry = entries_[place];
       if (const auto match = match_digits(found, entry.digits)) append({entry.place, *match}, matches);

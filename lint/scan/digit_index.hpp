@@ -50,10 +50,8 @@ class DigitIndex {
   void look_edited(const Digits& found, std::vector<NumberMatch>& matches) const;
   void look_multiple(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
 
-  std::vector<Entry> entries_, multiples_;  ///< by rising mantissa
-  std::vector<Key> keys_;                   ///< of shortened texts, sorted; the entry
-  // On the heap: a thread may have a stack of 256 kB.
-  std::vector<bool> has_key_ = std::vector<bool>(1 << 20);         ///< by the last bits of a key
+  std::vector<Entry> entries_, multiples_;                         ///< by rising mantissa
+  std::vector<Key> keys_;                                          ///< of shortened texts, sorted; the entry
   std::vector<bool> has_multiple_ = std::vector<bool>(1'000'000);  ///< by the first six digits
 };
 

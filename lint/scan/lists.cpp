@@ -86,16 +86,20 @@ bool ends_list(std::string_view text, const Literal& number) {
   return !rest.empty() && is_one_of(rest.front(), ")]}");
 }
 
-/// Whether this text between two numbers is that of a list of lists: a comma, signs and brackets, or the
-/// constructor of the next row.
-bool are_next_in_list(std::string_view rest) {
-  const std::size_t end = rest.find_last_not_of(" \t\r\n+-");
-  const bool has_constructor = end != std::string_view::npos && rest[end] == '(';
-  const auto is_of_list = [&](char c) {
-    return is_blank(c) || is_one_of(c, ",+-()[]{}") ||
-           (has_constructor && (is_of_name(c) || c == '<' || c == '>'));
-  };
-  return std::ranges::count(rest, ',') == 1 && std::ranges::all_of(rest, is_of_list);
+/// Whether this text between two numbers has a comma and otherwise only signs, zeros, brackets and
+/// constructors: "), vec3(0, -".
+bool is_between_elements(std::string_view text) {
+  bool has_comma = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    has_comma = has_comma || text[i] == ',';
+    if (is_letter(text[i])) {
+      i = end_of_run(text, i, [](char c) { return is_of_name(c) || c == '<' || c == '>'; });
+      if (i == text.size() || !is_one_of(text[i], "([{")) return false;
+    } else if (!is_blank(text[i]) && !is_one_of(text[i], ",+-()[]{}0.\\")) {
+      return false;
+    }
+  }
+  return has_comma;
 }
 
 }  // namespace
@@ -127,9 +131,36 @@ bool is_column(const ScannedText& text, const std::vector<std::size_t>& places) 
   if (places.size() < least_numbers || places[1] < places[0] + 2) return false;
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] != places[i - 1] + places[1] - places[0]) return false;
-  for (std::size_t i = places.front(); i < places.back(); ++i)
-    if (!are_next_in_list(text_between(text, i, i + 1))) return false;
+  for (std::size_t i = places.front(); i < places.back(); ++i) {
+    const std::string_view between = text_between(text, i, i + 1);
+    if (std::ranges::count(between, ',') != 1 || !is_between_elements(between)) return false;
+  }
   return true;
+}
+
+bool is_in_table(const ScannedText& text, std::size_t first, std::size_t last) {
+  constexpr std::size_t longest = 400;
+  const std::size_t none = text.literals.size();
+  // The next number of the list outside of comments, behind or before one.
+  const auto next_to = [&](std::size_t literal, bool is_behind) {
+    std::size_t next = literal;
+    do next = is_behind ? next + 1 : next - 1;  // 0 - 1 is beyond all
+    while (next < none && text.literals[next].is_in_comment);
+    if (next >= none) return none;
+    const std::string_view between = text_between(text, std::min(literal, next), std::max(literal, next));
+    return between.size() <= longest && is_between_elements(with_blank_comments(between, text.style)) ? next
+                                                                                                      : none;
+  };
+  std::size_t count = 1;
+  for (std::size_t i = first; i < last; ++count) {
+    i = next_to(i, true);
+    if (i > last) return false;
+  }
+  for (const bool is_behind : {false, true})
+    for (std::size_t i = next_to(is_behind ? last : first, is_behind); i != none && count < least_table;
+         i = next_to(i, is_behind))
+      ++count;
+  return count >= least_table;
 }
 
 }  // namespace shadefit::lint

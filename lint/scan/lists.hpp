@@ -27,4 +27,11 @@ bool have_same_decimals(const ScannedText& text, std::size_t first, std::size_t 
 /// Whether these literals are equally far apart in one list, as the column of a matrix is. At least three.
 bool is_column(const ScannedText& text, const std::vector<std::size_t>& places);
 
+/// A list of this many numbers is a table: among so many, some are near published ones.
+inline constexpr std::size_t least_table = 64;
+
+/// Whether the numbers from the first to the last literal are in one list of at least `least_table` numbers,
+/// perhaps of lists or of vectors: {{0.1, 0.2}, {0.3, 0.4}}. Its comments do not matter.
+bool is_in_table(const ScannedText& text, std::size_t first, std::size_t last);
+
 }  // namespace shadefit::lint

@@ -46,6 +46,12 @@ bool is_taken(const Site& site, std::size_t literal) {
   return std::ranges::find(site.numbers, literal, &SiteNumber::literal) != site.numbers.end();
 }
 
+/// Adds a number, by its place.
+void insert(Site& site, const SiteNumber& number) {
+  site.numbers.insert(std::ranges::upper_bound(site.numbers, number.literal, {}, &SiteNumber::literal),
+                      number);
+}
+
 /// Whether the site's constants stay in the published order with this constant at this literal.
 bool keeps_order(const Site& site, std::size_t constant, std::size_t literal) {
   return std::ranges::all_of(site.numbers, [&](const SiteNumber& number) {
@@ -215,9 +221,8 @@ class SiteFinder {
         if (match && is_in_function_of(given, i) && (!any || place_of(i) < place_of(any->literal)))
           any = SiteNumber{i, c, *match};
       }
-      if (any) site.numbers.push_back(*any);
+      if (any) insert(site, *any);
     }
-    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
   }
 
   /// A number of a list that has too few digits to be looked for alone, as 0.072 beside 0.212 and 0.715.
@@ -247,9 +252,7 @@ class SiteFinder {
       if (!match || end - begin != site.numbers.size() || !keeps_order(site, constant, i) ||
           !have_same_decimals(text_, begin, end) || !is_whole_list(text_, begin, end))
         continue;
-      site.numbers.push_back({i, constant, *match});
-      std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
-      return;
+      return insert(site, {i, constant, *match});
     }
   }
 
@@ -281,11 +284,10 @@ class SiteFinder {
         if (is_taken(site, i) || !keeps_order(site, c, i) || !is_in_function_of(given, i)) continue;
         const auto match = matched(at(i).digits);
         if (!match) continue;
-        site.numbers.push_back({i, c, *match});
+        insert(site, {i, c, *match});
         break;
       }
     }
-    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
     return site.numbers.size() > given.numbers.size();
   }
 
@@ -333,9 +335,8 @@ class SiteFinder {
         if (!nearest || distance_to(site, i) < distance_to(site, *nearest)) nearest = i;
       }
       if (!nearest) return;
-      whole.numbers.push_back({*nearest, constant, DigitMatch::edited});
+      insert(whole, {*nearest, constant, DigitMatch::edited});
     }
-    std::ranges::sort(whole.numbers, {}, &SiteNumber::literal);
     site = std::move(whole);
   }
 

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -10,7 +12,7 @@
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "lint/scan/characters.hpp"
-#include "lint/tree/ignore_rules.hpp"
+#include "lint/tree/git_files.hpp"
 #include "lint/tree/source_tree.hpp"
 
 namespace shadefit::lint {
@@ -75,6 +77,54 @@ struct FoundPath {
   }
 };
 
+/// The names below a folder, given by its absolute path, that are read: see git_files().
+struct ListedFiles {
+  std::string folder;
+  std::vector<std::string> names;
+
+  /// Whether a file is listed, or a file of a folder.
+  bool has(const FoundPath& place) const {
+    const std::string name = place.absolute.substr(folder.size() + (folder.ends_with('/') ? 0 : 1));
+    if (std::ranges::binary_search(names, name)) return true;
+    const auto below = std::ranges::lower_bound(names, name + "/");
+    return below != names.end() && below->starts_with(name + "/");
+  }
+};
+
+/// Empty: all files are read.
+using List = std::shared_ptr<const ListedFiles>;
+
+/// A glob with '**' is not exact about the others: there '*' matches '/' too.
+bool matches(std::string glob, const std::string& path) {
+  const int flags = glob.find("**") == std::string::npos ? FNM_PATHNAME : 0;
+  if (::fnmatch(glob.c_str(), path.c_str(), flags) == 0) return true;
+  const std::size_t any = glob.find("/**/");  // also no folder
+  return any != std::string::npos && matches(glob.replace(any, 4, "/"), path);
+}
+
+/// What globs say of a path.
+enum class GlobVerdict { none, excluded, kept };
+
+/// That of the last glob that matches.
+GlobVerdict verdict(const FolderGlobs& globs, const std::string& path, bool is_folder) {
+  std::string inside = globs.folder.string();
+  if (inside == "/") inside.clear();
+  if (!path.starts_with(inside + "/")) return GlobVerdict::none;
+  for (auto glob = globs.globs.rbegin(); glob != globs.globs.rend(); ++glob) {
+    std::string_view text = *glob;
+    const bool is_negative = text.starts_with('!');
+    if (is_negative) text.remove_prefix(1);
+    const bool is_for_folders = text.ends_with('/');
+    if (is_for_folders) text.remove_suffix(1);
+    if (is_for_folders && !is_folder) continue;
+    const bool is_for_names = text.find('/') == std::string_view::npos;
+    const std::string from = is_for_names || text.starts_with('/') ? "" : "/";
+    if (matches(from + std::string(text), path.substr(is_for_names ? path.rfind('/') + 1 : inside.size())))
+      return is_negative ? GlobVerdict::kept : GlobVerdict::excluded;
+  }
+  return GlobVerdict::none;
+}
+
 class Search {
  public:
   explicit Search(const TreeOptions& options) : options_(options) {
@@ -101,10 +151,9 @@ class Search {
     }
     fs::directory_iterator(place.path(), error);
     if (error) throw UserError(fmt::format("path '{}': {}", given, error.message()));
-    globs_.clear();
-    add_globs(options_.configured, absolute);
-    add_globs({current_, options_.exclude}, absolute);
-    walk(place, rules_above(absolute));
+    globs_ = {above(absolute, {current_, options_.exclude}), above(absolute, options_.configured)};
+    const auto repository = repository_of(absolute);
+    walk(place, repository && *repository != absolute ? list_of(place) : nullptr);
   }
 
   SourceTree take() {
@@ -113,13 +162,24 @@ class Search {
   }
 
  private:
-  void add_globs(const FolderGlobs& given, const fs::path& path) {
+  /// Globs with their absolute folder: that of the path unless it is above the path.
+  FolderGlobs above(const fs::path& path, const FolderGlobs& given) const {
     std::error_code none;
-    std::string folder = fs::weakly_canonical(given.folder.empty() ? current_ : given.folder, none).string();
-    const std::string inside = path.string() + "/";
-    if (none || !inside.starts_with(folder == "/" ? folder : folder + "/")) folder = path.string();
-    const std::string lines = fmt::format("{}", fmt::join(given.globs, "\n"));
-    globs_.push_back(rules_of(folder, parse_ignore_rules(lines)));
+    const fs::path folder = fs::weakly_canonical(given.folder.empty() ? current_ : given.folder, none);
+    const fs::path relative = path.lexically_relative(folder);
+    const bool is_above = !none && !relative.empty() && *relative.begin() != "..";
+    return {is_above ? folder : path, given.globs};
+  }
+
+  /// What git lists in a folder. Where it refuses or lists nothing, all files are read.
+  List list_of(const FoundPath& folder) {
+    auto names = git_files(folder.absolute);
+    if (!names && !std::exchange(is_git_missed_, true))
+      tree_.skipped.messages.push_back(fmt::format(
+          "git is missing or refuses '{0}' (git -C '{0}' ls-files says why): files that it ignores are read",
+          folder.path().string()));
+    if (!names || names->empty()) return nullptr;
+    return std::make_shared<const ListedFiles>(ListedFiles{folder.absolute, *std::move(names)});
   }
 
   void cannot_read(const fs::path& path, const std::string& reason) {
@@ -127,8 +187,8 @@ class Search {
     tree_.skipped.messages.push_back(fmt::format("cannot read '{}': {}", path.string(), reason));
   }
 
-  /// `lists` are the rules of the folders above.
-  void walk(const FoundPath& folder, RuleLists lists) {
+  /// `list`: of the folder or of one above.
+  void walk(const FoundPath& folder, List list) {
     if (!seen_.insert(folder.absolute).second) return;
     std::error_code error;
     std::vector<fs::directory_entry> entries;
@@ -136,7 +196,7 @@ class Search {
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) entries.push_back(*entry);
     if (error) cannot_read(folder.path(), error.message());
     std::ranges::sort(entries);
-    enter(folder.absolute, lists);
+    if (fs::exists(fs::symlink_status(folder.path() / ".git", error))) list = list_of(folder);
     for (const fs::directory_entry& one : entries) {
       const std::string name = one.path().filename().string();
       const FoundPath place = folder.below(name);
@@ -144,33 +204,38 @@ class Search {
       if (one.is_symlink(error)) {
         ++tree_.skipped.links;
       } else if (one.is_directory(error)) {
-        if (is_wanted_folder(place, name, lists)) walk(place, lists);
+        if (is_wanted_folder(place, name, list)) walk(place, list && list->has(place) ? list : nullptr);
       } else {
-        add_found_file(place, name, one.is_regular_file(error), lists);
+        add_found_file(place, name, one.is_regular_file(error), list);
       }
     }
   }
 
-  bool is_wanted_folder(const FoundPath& place, const std::string& name, const RuleLists& lists) {
+  bool is_wanted_folder(const FoundPath& place, const std::string& name, const List& list) {
     if (contains(control_names, name)) return false;
-    if (is_ignored(place, true, lists)) {
+    if (is_ignored(place, true, list)) {
       ++tree_.skipped.ignored;
       return false;
     }
     const bool is_others = !options_.with_vendored && contains(vendored_names, in_small_letters(name)) &&
-                           verdict(globs_, place.absolute, true) != IgnoreVerdict::kept;
+                           said(place, true) != GlobVerdict::kept;
     if (is_others) ++tree_.skipped.vendored;
     return !is_others;
   }
 
-  bool is_ignored(const FoundPath& place, bool is_folder, const RuleLists& lists) const {
-    IgnoreVerdict said = verdict(globs_, place.absolute, is_folder);
-    if (said == IgnoreVerdict::none) said = verdict(lists, place.absolute, is_folder);
-    return said == IgnoreVerdict::ignored;
+  /// What the globs say, those of the command line first.
+  GlobVerdict said(const FoundPath& place, bool is_folder) const {
+    const GlobVerdict first = verdict(globs_[0], place.absolute, is_folder);
+    return first == GlobVerdict::none ? verdict(globs_[1], place.absolute, is_folder) : first;
   }
 
-  void add_found_file(const FoundPath& place, const std::string& name, bool is_regular,
-                      const RuleLists& lists) {
+  bool is_ignored(const FoundPath& place, bool is_folder, const List& list) const {
+    const GlobVerdict globs = said(place, is_folder);
+    if (globs != GlobVerdict::none) return globs == GlobVerdict::excluded;
+    return list ? !list->has(place) : is_folder && place.absolute.ends_with("/build");
+  }
+
+  void add_found_file(const FoundPath& place, const std::string& name, bool is_regular, const List& list) {
     const auto named = language_of(name);
     if (!named) {
       ++tree_.skipped.unknown_language;
@@ -178,7 +243,7 @@ class Search {
     }
     const auto& wanted = options_.languages;
     if (!wanted.empty() && !contains(wanted, named->language)) return;
-    if (is_ignored(place, false, lists)) {
+    if (is_ignored(place, false, list)) {
       ++tree_.skipped.ignored;
     } else if (is_minified_name(name)) {
       ++tree_.skipped.minified;
@@ -227,8 +292,9 @@ class Search {
 
   const TreeOptions& options_;
   fs::path current_;
-  RuleLists globs_;             ///< of the options
-  std::set<std::string> seen_;  ///< absolute names
+  std::array<FolderGlobs, 2> globs_;  ///< of the command line, and of the configuration
+  bool is_git_missed_ = false;        ///< whether a message says so: one is enough
+  std::set<std::string> seen_;        ///< absolute names
   SourceTree tree_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/toml_reader.hpp"
-#include "lint/tree/ignore_rules.hpp"
+#include "lint/tree/git_files.hpp"
 
 namespace shadefit::lint {
 namespace {

@@ -13,7 +13,7 @@ namespace shadefit::lint {
 /// The table [lint]. Members that the file does not set are empty.
 struct LintConfig {
   std::filesystem::path file;             ///< where it was read
-  std::vector<std::string> exclude = {};  ///< globs as in .gitignore, relative to the folder of the file
+  std::vector<std::string> exclude = {};  ///< see `FolderGlobs`, relative to the folder of the file
   std::vector<SourceLanguage> languages = {};
   std::optional<std::string> fail_on = {};             ///< the least verdict that fails
   std::optional<double> max_effect = {};               ///< the largest effect that passes, at least 0

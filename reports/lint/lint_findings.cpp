@@ -103,20 +103,38 @@ std::string fingerprint_of(const LintedSite& site, const std::filesystem::path& 
   return fmt::format("{:08x}{:08x}", crc_of(text), crc_of(fmt::format("{}\n{}", count, text)));
 }
 
+/// A site that is shown, and whether the baseline has it.
+struct ShownSite {
+  const LintedSite& site;
+  std::string fingerprint;
+  bool is_known;
+};
+
+std::vector<ShownSite> shown_sites(const lint::LintedTree& tree, const LintReportOptions& options) {
+  std::vector<ShownSite> shown;
+  std::map<std::string, int> seen;
+  for (const LintedSite& site : tree.sites) {
+    if (site.grade == Grade::right && !options.all) continue;
+    std::string fingerprint = fingerprint_of(site, options.project, seen);
+    const bool is_known = options.known.contains(fingerprint);
+    shown.push_back({site, std::move(fingerprint), is_known});
+  }
+  return shown;
+}
+
 }  // namespace
 
 findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintReportOptions& options) {
   findings::FindingReport report{"lint", lint_rules(), {}, tree.files, "files"};
-  std::map<std::string, int> seen;
-  for (const LintedSite& site : tree.sites) {
-    if (site.grade == Grade::right && !options.all) continue;
-    findings::Finding finding{
-        .rule = rule_of(site), .level = level_of(site, options.fail_on), .message = message_of(site)};
+  for (const auto& [site, fingerprint, is_known] : shown_sites(tree, options)) {
+    findings::Finding& finding = report.findings.emplace_back();
+    finding.rule = rule_of(site);
+    finding.level = level_of(site, options.fail_on);
+    finding.message = message_of(site);
     finding.place = {site.file, site.begin.line, site.begin.column, site.end.line, site.end.column};
-    finding.fingerprint = fingerprint_of(site, options.project, seen);
+    finding.fingerprint = fingerprint;
     finding.suppressed = site.ignored;
-    finding.is_known = options.known.count(finding.fingerprint) > 0;
-    report.findings.push_back(std::move(finding));
+    finding.is_known = is_known;
   }
   return report;
 }
@@ -125,10 +143,7 @@ LintAdvice lint_advice(const lint::LintedTree& tree, const LintReportOptions& op
   LintAdvice advice;
   Grade worst = Grade::right, to_fix = Grade::right;
   bool has_pin = false;
-  std::map<std::string, int> seen;
-  for (const LintedSite& site : tree.sites) {
-    if (site.grade == Grade::right && !options.all) continue;
-    const bool is_known = options.known.contains(fingerprint_of(site, options.project, seen));
+  for (const auto& [site, fingerprint, is_known] : shown_sites(tree, options)) {
     if (is_known || site.ignored || !site.fault.empty()) continue;
     if (advice.id.empty() || site.grade > worst) advice.id = site.id;
     worst = std::max(worst, site.grade);

@@ -16,22 +16,21 @@ namespace {
 constexpr const char* elsewhere = "elsewhere";
 
 /// The most harmful grade that lint gives a text.
-std::string grade_in(const std::string& text, SourceLanguage language, const KnownConstants& known) {
+std::string worst_grade(const std::string& text, SourceLanguage language) {
   std::optional<Grade> worst;
-  for (const LintedSite& site : lint_source("corpus", text, language, known, {}))
+  for (const LintedSite& site : lint_text(text, language))
     worst = std::max(worst.value_or(Grade::right), site.grade);
   return worst ? std::string(name(*worst)) : elsewhere;
 }
 
 TEST(LintCorpus, EachPlaceHasTheGradeThatIsNoted) {
-  const KnownConstants known = all_known();
   const toml::table corpus = toml::parse_file(SHADEFIT_SOURCE_DIR "/tests/lint/corpus.toml");
   std::size_t sites = 0, found = 0, graded = 0, traps = 0, false_alarms = 0;
   for (const toml::node& node : *corpus["site"].as_array()) {
     const toml::table& site = *node.as_table();
     const auto text_of = [&](const char* key) { return site[key].value_or(std::string()); };
     const std::string grade = text_of("grade"), text = text_of("text") + "\n";
-    const std::string answer = grade_in(text, language_named(text_of("language")).value(), known);
+    const std::string answer = worst_grade(text, language_named(text_of("language")).value());
     EXPECT_EQ(answer, site.contains("today") ? text_of("today") : grade)
         << text_of("repository") << " " << text_of("path") << ":\n"
         << text << text_of("note");

@@ -123,7 +123,7 @@ std::vector<Digits> neighbours_of(const Digits& digits) {
 }
 
 TEST(DigitIndex, FindsEachNeighbourOfEachPublishedNumber) {
-  const KnownConstants known = all_known();
+  const KnownConstants& known = known_here();
   std::size_t looked = 0, missed = 0;
   for (std::size_t s = 0; s < known.sets.size() && known.sets[s].times.empty(); ++s) {
     for (std::size_t c = 0; c < known.sets[s].constants.size(); ++c) {
@@ -147,7 +147,7 @@ TEST(DigitIndex, FindsEachNeighbourOfEachPublishedNumber) {
 }
 
 TEST(DigitIndex, ACommonNumberHasNoNeighbours) {
-  const KnownConstants known = all_known();  // 1.5707963 is pi/2
+  const KnownConstants& known = known_here();  // 1.5707963 is pi/2
   EXPECT_FALSE(known.index.find(digits_of("1.5707963")).empty());
   EXPECT_TRUE(known.index.find(digits_of("1.5707863")).empty());
 }

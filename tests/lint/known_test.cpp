@@ -13,23 +13,16 @@
 namespace shadefit::lint {
 namespace {
 
-const KnownConstants& known_here() {
-  static const KnownConstants all = all_known();
-  return all;
-}
-
 /// "id grade: PUBLISHED is FOUND" of each site; of the numbers, only those that are not right.
 std::vector<std::string> faults_in(const std::string& text) {
   std::vector<std::string> words;
-  for (const LintedSite& site : lint_source("a.glsl", text, SourceLanguage::glsl, known_here(), {})) {
+  for (const LintedSite& site : lint_text(text)) {
     words.push_back(site.id + " " + std::string(name(site.grade)));
     for (const LintedNumber& number : site.numbers)
       if (number.grade != Grade::right) words.back() += ": " + number.published + " is " + number.text;
   }
   return words;
 }
-
-using Words = std::vector<std::string>;
 
 bool is_decimal(std::string_view text) {
   return text.find('.') != std::string_view::npos &&

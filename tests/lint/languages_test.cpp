@@ -86,6 +86,8 @@ TEST(ReadLanguages, StringsOfSeveralLinesAreOneProgram) {
   expect_read({
       {c_family,
        "const char* f =\n  \"float p = (-5.55473*c @ 6.98316) * c;\\n\"\n  \"return exp2(p);\\n\";\n"},
+      {c_family,
+       "const char* f =\n  \"float p = (-5.55473*c // a term\\n\"\n  \"@ 6.98316) * c; /* p */\\n\"\n  \"return exp2(p);\\n\";\n"},
       {javascript, "const f = 'float p = (-5.55473*c @ 6.98316) * c;' +\n  'return exp2(p);';\n"},
       {python, "f = (\"float p = (-5.55473*c @ 6.98316) * c;\\n\"\n     \"return exp2(p);\\n\")\n"},
   });

@@ -11,61 +11,15 @@
 #include "lint/lint_tree.hpp"
 #include "lint/scan/characters.hpp"
 #include "tests/lint/all_known.hpp"
+#include "tests/lint/program.hpp"
 
 /// Each digit of each published constant, changed once in generated code.
 namespace shadefit::lint {
 namespace {
 
-/// A formula as a program has it; empty if it has more than operations and usual functions.
-std::string code_of(const Symbolic& formula) {
-  using Kind = Symbolic::Kind;
-  std::vector<std::string> parts;
-  for (const Symbolic& part : formula.parts()) {
-    parts.push_back(code_of(part));
-    if (parts.back().empty()) return "";
-  }
-  const auto joined = [&](const char* sign) { return "(" + parts[0] + sign + parts[1] + ")"; };
-  switch (formula.kind()) {
-    case Kind::variable:
-      return formula.name();
-    case Kind::number:
-      return formula.name();
-    case Kind::constant:
-      return formula.name() == "pi" ? "PI" : "0.69314718055994531";
-    case Kind::add:
-      return joined(" + ");
-    case Kind::subtract:
-      return joined(" - ");
-    case Kind::multiply:
-      return joined(" * ");
-    case Kind::divide:
-      return joined(" / ");
-    case Kind::negate:
-      return "(-" + parts[0] + ")";
-    case Kind::real_power:
-      return "pow(" + parts[0] + ", " + parts[1] + ")";
-    case Kind::integer_power:
-      return "pow(" + parts[0] + ", " + formula.name() + ")";
-    case Kind::choice:
-      return "(" + parts[0] + " < " + parts[1] + " ? " + parts[2] + " : " + parts[3] + ")";
-    case Kind::function:
-      return fmt::format("{}({})", formula.name(), fmt::join(parts, ", "));
-    case Kind::integral:
-      return "";
-  }
-  return "";
-}
-
 /// A function with the form of a set and its constants as published.
 std::string code_of(const KnownSet& set) {
-  return "float f() {\n  return " +
-         code_of(evaluate<Symbolic>(set.formula,
-                                    [&](const std::string& name) {
-                                      for (const KnownConstant& constant : set.constants)
-                                        if (constant.name == name) return Symbolic::number(constant.printed);
-                                      return Symbolic::variable(name);
-                                    })) +
-         ";\n}\n";
+  return Program(dialects().front()).text(with_numbers(set, printed_numbers(set)), "x");
 }
 
 std::string name_of(const KnownSet& set) {
@@ -87,12 +41,9 @@ bool undoes(const std::vector<Fix>& fixes, const LintedNumber& number) {
 }
 
 /// Changes each digit of each number of a code that lint knows, one at a time.
-Noticed change_digits(const std::string& code, const KnownConstants& known) {
-  const auto sites_in = [&](const std::string& text) {
-    return lint_source("a.glsl", text, SourceLanguage::glsl, known, {});
-  };
+Noticed change_digits(const std::string& code) {
   Noticed count;
-  for (const LintedSite& site : sites_in(code)) {
+  for (const LintedSite& site : lint_text(code)) {
     for (const LintedNumber& number : site.numbers) {
       // Of fewer digits, too many numbers are near: they are found by the expression alone.
       if (digits_of(number.published).text.size() < least_digits_to_vary) continue;
@@ -101,7 +52,7 @@ Noticed change_digits(const std::string& code, const KnownConstants& known) {
         std::string other = code;
         char& digit = other[number.offset + i];
         digit = static_cast<char>('0' + (digit - '0' + 5) % 10);
-        const std::vector<LintedSite> found = sites_in(other);
+        const std::vector<LintedSite> found = lint_text(other);
         ++count.changes;
         if (std::none_of(found.begin(), found.end(),
                          [](const LintedSite& one) { return one.grade >= Grade::typo; }))
@@ -115,17 +66,16 @@ Noticed change_digits(const std::string& code, const KnownConstants& known) {
 }
 
 TEST(LintMutation, AChangedDigitIsNoticed) {
-  const KnownConstants known = all_known();
   constexpr std::size_t most_constants = 8;  // the others take most of the time and tell nothing new
   std::size_t sets = 0;
   std::vector<std::string> silent, unnoticed;
   Noticed all;
-  for (const KnownSet& set : known.sets) {
+  for (const KnownSet& set : known_here().sets) {
     if (set.constants.size() > most_constants || !set.times.empty()) continue;
     const std::string code = code_of(set);
     ++sets;
-    if (lint_source("a.glsl", code, SourceLanguage::glsl, known, {}).empty()) silent.push_back(name_of(set));
-    const Noticed one = change_digits(code, known);
+    if (lint_text(code).empty()) silent.push_back(name_of(set));
+    const Noticed one = change_digits(code);
     if (one.noticed < one.changes)
       unnoticed.push_back(fmt::format("{} ({} of {})", name_of(set), one.changes - one.noticed, one.changes));
     all.changes += one.changes;
@@ -159,9 +109,8 @@ vec3 sensitivity(float opd, vec3 shift) {
   return toRgb * (xyz / 1.0685e-7);
 }
 )";
-  const KnownConstants known = all_known();
-  EXPECT_EQ(lint_source("a.glsl", code, SourceLanguage::glsl, known, {}).size(), 6U);
-  const Noticed count = change_digits(code, known);
+  EXPECT_EQ(lint_text(code).size(), 6U);
+  const Noticed count = change_digits(code);
   EXPECT_GT(count.changes, 150U);
   // Zeros before other digits, in two numbers; and a last digit that becomes 0, which is a number of fewer
   // digits: once in the matrix, and once in each of three curves.

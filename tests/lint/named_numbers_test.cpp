@@ -56,16 +56,13 @@ TEST(NamedNumbers, HaveThePlacesOfTheirDefinitions) {
 }
 
 /// "LINE:COLUMN id grade" of each site.
-std::vector<std::string> sites_in(const std::string& text) {
-  static const KnownConstants known = all_known();
-  std::vector<std::string> words;
-  for (const LintedSite& site : lint_source("a.glsl", text, SourceLanguage::glsl, known, {}))
+Words sites_in(const std::string& text) {
+  Words words;
+  for (const LintedSite& site : lint_text(text))
     words.push_back(std::to_string(site.begin.line) + ":" + std::to_string(site.begin.column) + " " +
                     site.id + " " + std::string(name(site.grade)));
   return words;
 }
-
-using Words = std::vector<std::string>;
 
 TEST(NamedNumbers, AreReadInTheExpression) {
   const auto decoder = [](const std::string& threshold) {

@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/studies/find_study.hpp"
 #include "lint/pins/pins.hpp"
+#include "tests/lint/all_known.hpp"
 
 /// Marks that pin a number to a published constant.
 namespace shadefit::lint {
 namespace {
-
-using Words = std::vector<std::string>;
 
 /// "NUMBER NAME" for each mark of a text.
 Words marks(const std::string& text) {
@@ -69,22 +67,11 @@ TEST(Ignoring, IsAWordAtTheStartOfAComment) {
     EXPECT_FALSE(ignore_reason(line)) << line;
 }
 
-const std::vector<KnownSet>& known() {
-  static const std::vector<KnownSet> sets = [] {
-    std::vector<StudyFile> studies;
-    for (const auto& path :
-         study_files({SHADEFIT_SOURCE_DIR "/studies", SHADEFIT_SOURCE_DIR "/studies/exact"}))
-      studies.push_back(load_study(path));
-    return known_sets(studies);
-  }();
-  return sets;
-}
-
 JudgedPin judged(const std::string& number, const std::string& name) {
   // The parts of a pin point into its text.
   static std::list<std::string> texts;
   texts.push_back(number + " // shadefit: " + name);
-  return judge_pin(pins_of(texts.back()).at(0), known(), {});
+  return judge_pin(pins_of(texts.back()).at(0), known_here().sets, {});
 }
 
 Grade grade_of_pin(const std::string& number, const std::string& name) {

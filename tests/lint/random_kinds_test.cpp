@@ -1,9 +1,7 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -17,192 +15,12 @@
 #include "lint/lint_tree.hpp"
 #include "lint/scan/characters.hpp"
 #include "tests/lint/all_known.hpp"
+#include "tests/lint/program.hpp"
 
 /// Published forms in random languages and notations, with one slip or with harmless changes. The number of
 /// programs is that of the environment variable SHADEFIT_RANDOM_LINT, or 50.
 namespace shadefit::lint {
 namespace {
-
-using Random = std::mt19937_64;
-
-bool toss(Random& random) {
-  return random() % 2 == 0;
-}
-
-template <class Values>
-const auto& any_of_them(const Values& values, Random& random) {
-  return values[random() % values.size()];
-}
-
-/// How a program writes numbers, powers and functions.
-struct Dialect {
-  SourceLanguage language;
-  std::string function;             ///< before the name of a function
-  std::string suffix;               ///< of a number
-  std::string vector;               ///< the type of a vector; empty: there is none
-  std::vector<std::string> powers;  ///< of {0} to {1}
-  std::string exp2;                 ///< of {0}
-  std::string choice = "({0} < {1} ? {2} : {3})";
-  std::string comment = "//";
-  std::string before = "float f(float x) {\n", statement = "  float {0} = {1};\n",
-              result = "  return {0};\n}}\n";
-};
-
-const std::vector<Dialect>& dialects() {
-  static const std::string shader_power = "exp2(log2({0}) * {1})";
-  static const std::vector<Dialect> all{
-      {SourceLanguage::glsl, "", "", "vec3", {"pow({0}, {1})", shader_power}, "exp2({0})"},
-      {SourceLanguage::hlsl,
-       "",
-       "f",
-       "float3",
-       {"pow({0}, {1})", shader_power, "exp2({1} * log2({0}))"},
-       "exp2({0})"},
-      {SourceLanguage::c_family, "std::", "f", "", {"std::pow({0}, {1})", "powf({0}, {1})"}, "exp2f({0})"},
-      {SourceLanguage::javascript,
-       "Math.",
-       "",
-       "",
-       {"Math.pow({0}, {1})", "({0}) ** ({1})"},
-       "Math.pow(2, {0})",
-       "({0} < {1} ? {2} : {3})",
-       "//",
-       "function f(x) {\n",
-       "  const {0} = {1};\n",
-       "  return {0};\n}}\n"},
-      {SourceLanguage::python,
-       "np.",
-       "",
-       "",
-       {"np.power({0}, {1})", "({0}) ** ({1})"},
-       "np.exp2({0})",
-       "np.where({0} < {1}, {2}, {3})",
-       "#",
-       "def f(x):\n",
-       "    {0} = {1}\n",
-       "    return {0}\n"},
-  };
-  return all;
-}
-
-using Kind = Symbolic::Kind;
-
-/// Writes a formula as a program of a dialect.
-class Program {
- public:
-  Program(const Dialect& dialect, Random& random) : dialect_(dialect), random_(random) {}
-
-  /// Operands of sums and products in random order.
-  std::string expression(const Symbolic& formula) {
-    std::vector<std::string> parts;
-    for (const Symbolic& part : formula.parts()) parts.push_back(expression(part));
-    switch (formula.kind()) {
-      case Kind::variable:
-        return formula.name();
-      case Kind::number:
-        return number(formula.name());
-      case Kind::constant:
-        return number(formula.name() == "pi" ? "3.14159265358979" : "0.693147180559945");
-      case Kind::add:
-        return toss(random_) ? sum(parts[0], " + ", parts[1]) : sum(parts[1], " + ", parts[0]);
-      case Kind::subtract:
-        return sum(parts[0], " - ", parts[1]);
-      case Kind::multiply:
-        return toss(random_) ? parts[0] + " * " + parts[1] : parts[1] + " * " + parts[0];
-      case Kind::divide:
-        return parts[0] + " / (" + parts[1] + ")";
-      case Kind::negate:
-        return "(-1.0 * " + parts[0] + ")";
-      case Kind::real_power:
-        return fmt::format(fmt::runtime(any_of_them(dialect_.powers, random_)), parts[0], parts[1]);
-      case Kind::integer_power:
-        return power_of(parts[0], formula.exponent());
-      case Kind::choice:
-        return fmt::format(fmt::runtime(dialect_.choice), parts[0], parts[1], parts[2], parts[3]);
-      case Kind::function:
-        if (formula.name() == "exp2") return fmt::format(fmt::runtime(dialect_.exp2), parts[0]);
-        return fmt::format("{}{}({})", dialect_.function, formula.name(), fmt::join(parts, ", "));
-      case Kind::integral:
-        break;
-    }
-    return "";
-  }
-
-  /// A function with this value, perhaps with a part as a statement of its own and with old code as a
-  /// comment.
-  std::string text(const Symbolic& formula, const std::string& variable) {
-    std::string body;
-    Symbolic value = formula;
-    if (toss(random_)) body += fmt::format("  {0} {1} = {1} / scale;\n", dialect_.comment, variable);
-    if (const auto inner = inner_part(formula); inner && toss(random_)) {
-      body += fmt::format(fmt::runtime(dialect_.statement), "t0", expression(*inner));
-      value = with_part(formula, *inner, Symbolic::variable("t0"));
-    }
-    return dialect_.before + body + fmt::format(fmt::runtime(dialect_.result), expression(value));
-  }
-
-  static Symbolic with_part(const Symbolic& formula, const Symbolic& part, const Symbolic& other) {
-    if (to_text(formula) == to_text(part)) return other;
-    std::vector<Symbolic> parts = formula.parts();
-    for (Symbolic& one : parts) one = with_part(one, part, other);
-    return formula.with_parts(std::move(parts));
-  }
-
- private:
-  static std::string sum(const std::string& a, const char* sign, const std::string& b) {
-    return "(" + a + sign + b + ")";
-  }
-
-  std::string number(const std::string& printed) {
-    const bool is_negative = printed.starts_with('-');
-    std::string digits = printed.substr(is_negative ? 1 : 0);
-    if (digits.find('.') == std::string::npos && digits.find('e') == std::string::npos) digits += ".0";
-    digits += dialect_.suffix;
-    if (!dialect_.vector.empty() && has_vectors_)
-      digits = dialect_.vector == "vec3" ? "vec3(" + digits + ")"
-                                         : fmt::format("{0}({1}, {1}, {1})", dialect_.vector, digits);
-    return is_negative ? "(-" + digits + ")" : digits;
-  }
-
-  std::string power_of(const std::string& base, int exponent) const {
-    if (exponent < 1) return fmt::format(fmt::runtime(dialect_.powers.front()), base, exponent);
-    std::string product = "(" + base;
-    for (int i = 1; i < exponent; ++i) product += " * " + base;
-    return product + ")";
-  }
-
-  /// A function, a power or a quotient inside the formula.
-  std::optional<Symbolic> inner_part(const Symbolic& formula) {
-    std::vector<Symbolic> all;
-    for (const Symbolic& part : formula.parts()) append_inner(part, all);
-    if (all.empty() || formula.kind() == Kind::choice) return std::nullopt;
-    return any_of_them(all, random_);
-  }
-  static void append_inner(const Symbolic& part, std::vector<Symbolic>& all) {
-    if (part.kind() == Kind::function || part.kind() == Kind::real_power || part.kind() == Kind::divide)
-      all.push_back(part);
-    for (const Symbolic& one : part.parts()) append_inner(one, all);
-  }
-
-  const Dialect& dialect_;
-  Random& random_;
-  bool has_vectors_ = toss(random_);
-};
-
-/// The formula of a set with these numbers.
-Symbolic with_numbers(const KnownSet& set, const std::vector<std::string>& numbers) {
-  return evaluate<Symbolic>(set.formula, [&](const std::string& name) {
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      if (set.constants[i].name == name) return Symbolic::number(numbers[i]);
-    return Symbolic::variable(name);
-  });
-}
-
-std::vector<std::string> printed_numbers(const KnownSet& set) {
-  std::vector<std::string> numbers;
-  for (const KnownConstant& constant : set.constants) numbers.push_back(constant.printed);
-  return numbers;
-}
 
 /// The largest difference of two formulas of the variables of a set, relative to the largest value, for the
 /// best order of the variables.
@@ -236,14 +54,14 @@ double difference_of(const KnownSet& set, const Symbolic& a, const Symbolic& b) 
 }
 
 bool is_one(const Symbolic& formula) {
-  return formula.kind() == Kind::number && formula.name() == "1";
+  return formula.kind() == Symbolic::Kind::number && formula.name() == "1";
 }
 
 /// The formula without factors that are 1.
 Symbolic without_ones(const Symbolic& formula) {
   std::vector<Symbolic> parts;
   for (const Symbolic& part : formula.parts()) parts.push_back(without_ones(part));
-  if (formula.kind() == Kind::multiply)
+  if (formula.kind() == Symbolic::Kind::multiply)
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
       if (is_one(parts[side])) return parts[1 - side];
   return formula.with_parts(std::move(parts));
@@ -251,8 +69,8 @@ Symbolic without_ones(const Symbolic& formula) {
 
 /// A power of a variable to a constant with digits.
 std::optional<Symbolic> inner_power(const Symbolic& formula) {
-  if (formula.kind() == Kind::real_power && formula.part(0).kind() == Kind::variable &&
-      formula.part(1).kind() == Kind::number)
+  if (formula.kind() == Symbolic::Kind::real_power && formula.part(0).kind() == Symbolic::Kind::variable &&
+      formula.part(1).kind() == Symbolic::Kind::number)
     return formula;
   for (const Symbolic& part : formula.parts())
     if (auto power = inner_power(part)) return power;
@@ -263,13 +81,13 @@ class RandomKinds : public ::testing::Test {
  protected:
   RandomKinds() {
     if (const char* asked = std::getenv("SHADEFIT_RANDOM_LINT")) programs_ = std::atoi(asked);
-    for (const KnownSet& set : known_.sets) {
+    for (const KnownSet& set : known_here().sets) {
       constexpr std::size_t most_constants = 8;
       if (!set.times.empty() || set.constants.size() > most_constants || set.constants.size() < 2) continue;
       Random plain(1);
       const std::string text =
-          Program(dialects().front(), plain).text(with_numbers(set, printed_numbers(set)), "x");
-      const auto sites = lint_source("a", text, SourceLanguage::glsl, known_, {});
+          Program(dialects().front(), &plain).text(with_numbers(set, printed_numbers(set)), "x");
+      const auto sites = lint_text(text);
       if (sites.size() == 1 && sites.front().id == set.id && sites.front().grade == Grade::right)
         sets_.push_back(&set);
     }
@@ -278,8 +96,7 @@ class RandomKinds : public ::testing::Test {
   /// The worst grade that lint gives a program; `right` without a finding.
   Grade grade_of_program(const Dialect& dialect, const std::string& text) const {
     Grade worst = Grade::right;
-    for (const LintedSite& site : lint_source("a", text, dialect.language, known_, {}))
-      worst = std::max(worst, site.grade);
+    for (const LintedSite& site : lint_text(text, dialect.language)) worst = std::max(worst, site.grade);
     return worst;
   }
 
@@ -298,7 +115,7 @@ class RandomKinds : public ::testing::Test {
       const Symbolic formula = with_numbers(set, numbers);
       if (difference_of(set, with_numbers(set, printed_numbers(set)), formula) < least_difference) continue;
       ++planted;
-      const std::string text = Program(dialect, random).text(formula, set.axes.front().variable);
+      const std::string text = Program(dialect, &random).text(formula, set.axes.front().variable);
       const bool is_found = grade_of_program(dialect, text) >= Grade::typo;
       found += is_found ? 1 : 0;
       if (!is_found) missed += set.id + " " + set.form + "\n" + text;
@@ -308,7 +125,6 @@ class RandomKinds : public ::testing::Test {
     EXPECT_GE(found, 0.9 * planted) << missed;
   }
 
-  KnownConstants known_ = all_known();
   std::vector<const KnownSet*> sets_;
   int programs_ = 50;
 };
@@ -328,7 +144,7 @@ TEST_F(RandomKinds, AHarmlessChangeIsRight) {
     // An inner power is computed elsewhere.
     if (const auto power = inner_power(formula); power && toss(random))
       formula = Program::with_part(formula, *power, Symbolic::variable("elsewhere"));
-    const std::string text = Program(dialect, random).text(formula, axis.variable);
+    const std::string text = Program(dialect, &random).text(formula, axis.variable);
     EXPECT_LE(grade_of_program(dialect, text), Grade::right) << set.id << " " << set.form << "\n" << text;
   }
 }

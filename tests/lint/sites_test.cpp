@@ -13,25 +13,6 @@
 namespace shadefit::lint {
 namespace {
 
-const KnownConstants& the_known() {
-  static const KnownConstants all = all_known();
-  return all;
-}
-
-std::vector<LintedSite> lint_glsl(const std::string& text, const EffectLimits& limits = {}) {
-  return lint_source("a.glsl", text, SourceLanguage::glsl, the_known(), limits);
-}
-
-/// "id grade", for each site.
-std::vector<std::string> graded(const std::string& text) {
-  std::vector<std::string> words;
-  for (const LintedSite& site : lint_glsl(text))
-    words.push_back(site.id + " " + std::string(name(site.grade)));
-  return words;
-}
-
-using Words = std::vector<std::string>;
-
 TEST(Sites, FewDigitsNeedTheOthersOrTheForm) {
   EXPECT_EQ(graded("float f() { return 2.51; }"), Words{});
   EXPECT_EQ(graded("vec3 a = vec3(0.2126, 0.7152, 0.0722);"), Words{"luma-709 right"});
@@ -120,7 +101,7 @@ TEST(Sites, InATableOfNumbersAreOnlyCounted) {
   EXPECT_EQ(graded(list(20)), Words{"luma-709 typo"});
   EXPECT_EQ(graded(list(70)), Words{});
   SkippedFiles skipped;
-  lint_source("a.glsl", list(70), SourceLanguage::glsl, the_known(), {}, keep_going, &skipped);
+  lint_source("a.glsl", list(70), SourceLanguage::glsl, known_here(), {}, keep_going, &skipped);
   EXPECT_EQ(skipped.in_tables, 1U);
   // A statement behind the table is another list.
   EXPECT_EQ(graded(list(70) + "\nvec3 w = vec3(0.2126, 0.7125, 0.0722);"), Words{"luma-709 typo"});
@@ -169,7 +150,7 @@ TEST(Sites, AConstantThatComesAgainBeginsTheNextSite) {
 TEST(Sites, NumbersOfCommentsAreApart) {
   const std::string code = "float f(float c) { return exp2((-5.55473 * c - 6.98316) * c); }\n";
   EXPECT_EQ(graded(code + "// not 6.98216\n"), Words{"fresnel-quadratic right"});
-  const std::vector<LintedSite> sites = lint_glsl("// exp2((-5.55473 * c - 6.98316) * c)\n");
+  const std::vector<LintedSite> sites = lint_text("// exp2((-5.55473 * c - 6.98316) * c)\n");
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_TRUE(sites.front().is_in_comment);
   // A comment without a formula may break a number.
@@ -225,10 +206,10 @@ TEST(Sites, TheWordsOfTheIdTellWithExactDigits) {
 TEST(Sites, EndWithTheirFunction) {
   const std::string first = "vec3 f() { return 0.0245786 + 0.000090537; }\n",
                     second = "vec3 g() { return 0.983729 + 0.4329510; }\n";
-  const auto sites = lint_glsl(first + second);
+  const auto sites = lint_text(first + second);
   ASSERT_EQ(sites.size(), 2u);
   EXPECT_EQ(sites[0].numbers.size(), 2u);
-  EXPECT_EQ(lint_glsl("vec3 f() { return 0.0245786 + 0.000090537\n + 0.983729 + 0.4329510; }").size(), 1u);
+  EXPECT_EQ(lint_text("vec3 f() { return 0.0245786 + 0.000090537\n + 0.983729 + 0.4329510; }").size(), 1u);
 }
 
 TEST(Sites, ARoundedNumberMayBeMistyped) {
@@ -248,7 +229,7 @@ TEST(Sites, SeveralShiftedNumbersAreOtherUnits) {
 TEST(Sites, ASlipAmongOtherUnitsIsFound) {
   const auto wrong = [](const std::string& thousand, const std::string& one) {
     const auto sites =
-        lint_glsl("x = -0.2661239e9/(T*T*T) - 0.2343580e6/(T*T) + " + thousand + "/T + " + one);
+        lint_text("x = -0.2661239e9/(T*T*T) - 0.2343580e6/(T*T) + " + thousand + "/T + " + one);
     Words constants;
     if (sites.size() != 1 || sites[0].effect.absolute.magnitude > 1e-4) return constants;
     for (const LintedNumber& number : sites[0].numbers)
@@ -279,7 +260,7 @@ float3 decode(float3 u) {
 }
 
 TEST(Sites, ANumberOfFewDigitsIsTheNearestOne) {
-  const auto sites = lint_glsl(
+  const auto sites = lint_text(
       "float mip(float m) { return max(1, 10 - m) - 1; }\n"
       "const vec4 c0 = vec4(-1, -0.0275, -0.572, 0.022);\nconst vec4 c1 = vec4(1, 0.0425, 1.04, -0.04);\n");
   ASSERT_EQ(sites.size(), 1u);
@@ -293,7 +274,7 @@ TEST(Sites, ATextCanBeLeftAtEachOfThem) {
   const auto stop = [&] {
     if (++calls == 3) throw std::runtime_error("stop");
   };
-  EXPECT_THROW(lint_source("a.glsl", text, SourceLanguage::glsl, the_known(), {}, stop), std::runtime_error);
+  EXPECT_THROW(lint_source("a.glsl", text, SourceLanguage::glsl, known_here(), {}, stop), std::runtime_error);
   EXPECT_EQ(calls, 3);
 }
 
@@ -350,14 +331,14 @@ TEST(Sites, ExpressionsDifferByThePlacesOfTheirNames) {
 
 TEST(Grade, LimitsHaveTwoSides) {
   const std::string text = "float f(float c) { return exp2((-5.55473 * c - 6.97316) * c); }\n";
-  const std::vector<LintedSite> sites = lint_glsl(text);
+  const std::vector<LintedSite> sites = lint_text(text);
   ASSERT_EQ(sites.size(), 1u);
   ASSERT_TRUE(sites.front().is_shown);
   const double codes = sites.front().effect.srgb_codes, change = sites.front().effect.absolute.magnitude;
-  EXPECT_EQ(lint_glsl(text, {.codes = codes * 0.999}).front().grade, Grade::wrong);
-  EXPECT_EQ(lint_glsl(text, {.codes = codes * 1.001}).front().grade, Grade::typo);
-  EXPECT_EQ(lint_glsl(text, {.of_all = change * 0.999}).front().grade, Grade::wrong);
-  EXPECT_EQ(lint_glsl(text, {.of_all = change * 1.001}).front().grade, Grade::typo);
+  EXPECT_EQ(lint_text(text, SourceLanguage::glsl, {.codes = codes * 0.999}).front().grade, Grade::wrong);
+  EXPECT_EQ(lint_text(text, SourceLanguage::glsl, {.codes = codes * 1.001}).front().grade, Grade::typo);
+  EXPECT_EQ(lint_text(text, SourceLanguage::glsl, {.of_all = change * 0.999}).front().grade, Grade::wrong);
+  EXPECT_EQ(lint_text(text, SourceLanguage::glsl, {.of_all = change * 1.001}).front().grade, Grade::typo);
   // The largest effect of such a change of b is near c = 1/7: there c exp2(-b c) ln 2 is largest.
   EXPECT_NEAR(change, 0.01 * 0.6931 * 0.1350 * std::exp2((-5.55473 * 0.1350 - 6.98316) * 0.1350), 2e-5);
 }
@@ -371,7 +352,7 @@ TEST(Grade, FewerDigitsAreTruncated) {
 
 TEST(Grade, AReplacedNumberIsTheNearest) {
   const std::string line = "float f(float c) { return exp2((-5.55473 * c - 6.99) * c); }\n";
-  const std::vector<LintedSite> sites = lint_glsl(line + line);
+  const std::vector<LintedSite> sites = lint_text(line + line);
   ASSERT_EQ(sites.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(sites[i].numbers.size(), 2u);
@@ -382,7 +363,7 @@ TEST(Grade, AReplacedNumberIsTheNearest) {
 
 TEST(Grade, AReplacedValueIsOutdatedWithItsReason) {
   const auto sites =
-      lint_glsl("float f(float u) { return u <= 0.03928 ? u/12.92 : pow((u + 0.055)/1.055, 2.4); }");
+      lint_text("float f(float u) { return u <= 0.03928 ? u/12.92 : pow((u + 0.055)/1.055, 2.4); }");
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites.front().grade, Grade::outdated);
   EXPECT_NE(sites.front().replaced.find("0.04045"), std::string::npos);

@@ -110,20 +110,6 @@ TEST_F(SourceTreeTest, TakesOnlyTheLanguagesThatAreAskedFor) {
             (Names{"a.glsl", "c.cu"}));
 }
 
-TEST_F(SourceTreeTest, FollowsTheRulesOfTheRepositoryAroundAPath) {
-  files(
-      {"p/.git/HEAD", "p/a/b/x.h", "p/a/b/y.h", "p/a/x.h", "p/out/z.h", "p/out/sub/x.h", "p/k.h", "outer.h"});
-  files({".gitignore"}, "*.h\n");  // outside of the repository
-  files({"p/.gitignore"}, "x.h\nout\n");
-  files({"p/a/.gitignore"}, "!/x.h\n");
-  files({"p/.git/info/exclude"}, "y.h\n");
-  EXPECT_EQ(found({"p"}), (Names{"p/a/x.h", "p/k.h"}));
-  EXPECT_EQ(found({"p/a/b"}), Names{});
-  EXPECT_EQ(found({"p/out"}), (Names{"p/out/sub/x.h", "p/out/z.h"})) << "named, though ignored";
-  EXPECT_EQ(find_sources({"p"}, {}).skipped.ignored, 3U) << "x.h and y.h in b, and the folder out";
-  EXPECT_EQ(found({"."}), (Names{"p/a/x.h", "p/k.h"})) << "a repository within has only its own rules";
-}
-
 TEST_F(SourceTreeTest, ExcludesByGlobsFromTheCurrentFolderAndThatOfTheConfiguration) {
   files({"p/a/x.h", "p/a/y.h", "p/x.h", "p/c/x.h"});
   const StandIn inside("p/a");
@@ -133,6 +119,25 @@ TEST_F(SourceTreeTest, ExcludesByGlobsFromTheCurrentFolderAndThatOfTheConfigurat
   EXPECT_EQ(found({".."}, {.configured = {"..", {"/a/x.h", "c/"}}}), (Names{"../a/y.h", "../x.h"}));
   EXPECT_EQ(found({".."}, {.exclude = {"!c/"}, .configured = {"..", {"/a/x.h", "c/"}}}),
             (Names{"../a/y.h", "../c/x.h", "../x.h"}));
+}
+
+TEST_F(SourceTreeTest, GlobsAreThoseOfGitignore) {
+  files({"a/b/x.h", "a/b/y.h", "a/x.h", "c/a/x.h", "x.h"});
+  struct Case {
+    Names globs, found;
+  };
+  const std::vector<Case> cases{
+      {{"x.h"}, {"a/b/y.h"}},
+      {{"*.h", "!y.*"}, {"a/b/y.h"}},
+      {{"/x.h", "a/x.h"}, {"a/b/x.h", "a/b/y.h", "c/a/x.h"}},
+      {{"a/*.h"}, {"a/b/x.h", "a/b/y.h", "c/a/x.h", "x.h"}},
+      {{"a/**"}, {"c/a/x.h", "x.h"}},
+      {{"**/a/x.h"}, {"a/b/x.h", "a/b/y.h", "x.h"}},
+      {{"a/**/x.h"}, {"a/b/y.h", "c/a/x.h", "x.h"}},
+      {{"a/", "x.h/"}, {"x.h"}},
+      {{"[xy].?"}, {}},
+  };
+  for (const Case& one : cases) EXPECT_EQ(found({"."}, {.exclude = one.globs}), one.found) << one.globs[0];
 }
 
 TEST_F(SourceTreeTest, FollowsNoLinksBelowAPath) {
@@ -249,6 +254,33 @@ TEST_F(SourceTreeTest, ReadsAFileThatChangedSinceItWasFound) {
   add(sum, tree.skipped);
   EXPECT_EQ(sum.unreadable, 4U);
   EXPECT_EQ(sum.messages.size(), 4U);
+}
+
+TEST(SourceLanguage, FollowsTheEndingOfTheName) {
+  struct Case {
+    const char* name;
+    std::optional<SourceLanguage> language;
+  };
+  const std::vector<Case> cases{{"pbr.glsl", SourceLanguage::glsl},
+                                {"fog_fragment.glsl.js", SourceLanguage::javascript},
+                                {"pbr.fragment.fx", SourceLanguage::glsl},
+                                {"common.fx", SourceLanguage::hlsl},
+                                {"BRDF.USH", SourceLanguage::hlsl},
+                                {"sky.gdshader", SourceLanguage::glsl},
+                                {"bxdf.h", SourceLanguage::c_family},
+                                {"README.md", SourceLanguage::markdown},
+                                {"a.png", std::nullopt},
+                                {"glsl", std::nullopt},
+                                {".glsl", std::nullopt},
+                                {"", std::nullopt},
+                                {"a.", std::nullopt}};
+  for (const Case& one : cases) {
+    const auto found = language_of(one.name);
+    const auto language = found ? std::optional(found->language) : std::nullopt;
+    EXPECT_EQ(language, one.language) << one.name;
+  }
+  for (const SourceLanguage language : source_languages) EXPECT_EQ(language_named(name(language)), language);
+  EXPECT_FALSE(language_named("cobol"));
 }
 
 }  // namespace
