@@ -18,9 +18,11 @@ namespace shadefit {
 /// A temporary directory of this run, removed with its contents.
 class ScratchDirectory : boost::noncopyable {
  public:
-  /// Throws UserError or filesystem_error, which names the path, if it cannot be created.
+  /// Throws UserError if it cannot be created.
   ScratchDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "shadefit-XXXXXX").string();
+    std::error_code error;
+    std::string name = (std::filesystem::temp_directory_path(error) / "shadefit-XXXXXX").string();
+    if (error) throw UserError("TMPDIR names no directory for temporary files: " + error.message());
     if (::mkdtemp(name.data()) == nullptr)
       throw UserError(
           fmt::format("cannot create a directory for temporary files, '{}': {}", name, std::strerror(errno)));

@@ -151,7 +151,8 @@ TEST(Process, TemporaryFilesThatHaveNoDirectory) {
                                     [&] { ::setenv("TMPDIR", none.c_str(), 1); });
   EXPECT_EQ(finished.exit_code, 2);
   EXPECT_EQ(finished.out, "");
-  EXPECT_EQ(finished.err, "shadefit: cannot use '" + none + "': Not a directory\n");
+  EXPECT_EQ(finished.err,
+            "shadefit: TMPDIR names no directory for temporary files: No such file or directory\n");
   EXPECT_EQ(snapshot(directory.path()), before);
 }
 

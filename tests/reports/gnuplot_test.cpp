@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 
+#include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "tests/fake_gnuplot.hpp"
 #include "tests/reports/stop.hpp"
@@ -134,7 +135,7 @@ TEST(Gnuplot, APictureThatTakesTooLongIsAFailure) {
 TEST(Gnuplot, TemporaryFilesThatHaveNoDirectory) {
   const TemporaryDirectory directory;
   const EnvironmentVariable temporary("TMPDIR", directory / "none");
-  EXPECT_THROW(draw_pictures(directory / "none", {}, {}), fs::filesystem_error);
+  EXPECT_THROW(draw_pictures(directory / "none", {}, {}), UserError);
 }
 
 }  // namespace
