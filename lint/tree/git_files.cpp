@@ -38,10 +38,13 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Starts git with its output to a descriptor, and without other streams. 0 if it cannot be started.
+/// Starts git in the root folder with its output to a descriptor, and without other streams. 0 if it cannot
+/// be started.
 pid_t start_git(std::vector<std::string> arguments, int output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  // A PATH may have the current folder, which may be that of the tree.
+  posix_spawn_file_actions_addchdir_np(&actions, "/");
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);

@@ -97,7 +97,7 @@ TEST_F(GitFiles, OfARepositoryWithinFollowItsOwnRules) {
 }
 
 TEST_F(GitFiles, AreListedWithoutRunningWhatTheTreeNames) {
-  const std::string program = directory_.file("trap", "#!/bin/sh\ntouch '" + (directory_ / "ran") + "'\n");
+  const std::string program = directory_.file("trap", "#!/bin/sh\n: >'" + (directory_ / "ran") + "'\n");
   fs::permissions(program, fs::perms::owner_all);
   files({"p/a.h"});
   files({"p/.gitattributes"}, "*.h filter=x diff=x\n");
@@ -115,6 +115,10 @@ TEST_F(GitFiles, AreListedWithoutRunningWhatTheTreeNames) {
   git("-C p status");
   ASSERT_TRUE(fs::remove("ran")) << "git itself runs it";
   EXPECT_EQ(found("p"), Names{"p/a.h"});
+  EXPECT_FALSE(fs::exists("ran"));
+  fs::create_symlink("trap", "git");
+  const Environment here("PATH", ":.");
+  EXPECT_EQ(find_sources({"p"}, {}).skipped.messages.size(), 1U);
   EXPECT_FALSE(fs::exists("ran"));
 }
 
