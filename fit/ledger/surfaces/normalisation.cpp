@@ -65,22 +65,17 @@ std::string at_exponent(double value, std::optional<double> exponent) {
   return fmt::format("{:.10g}{}", value, exponent ? fmt::format(" at a = {:.6g}", *exponent) : "");
 }
 
-/// The unit of a constant, as a number and as text.
-struct Unit {
-  double value = 1;
-  std::string text = {};
-};
-
 /// A printed constant and 1 over the integral of its lobe, times a unit. Throws std::domain_error if the
 /// formula has no finite value.
-Finding against_integrals(const Claim& claim, const PrintedConstant& printed, const Unit& unit = {}) {
+Finding against_integrals(const Claim& claim, const PrintedConstant& printed,
+                          std::string_view unit_text = {}) {
+  const double unit = unit_text.empty() ? 1 : PrintedConstant(unit_text).at(1.0);
   const auto exponents = exponents_of(claim);
   const auto checks = check_normalisation(record_of(claim), exponents);
   double furthest = -1, error = 0;
   const NormalisationCheck* worst_check = nullptr;
   for (const NormalisationCheck& check : checks) {
-    const double difference =
-        std::abs(printed.at(check.exponent.value_or(1)) / (unit.value * check.integral) - 1);
+    const double difference = std::abs(printed.at(check.exponent.value_or(1)) / (unit * check.integral) - 1);
     if (!std::isfinite(difference))
       throw std::domain_error(fmt::format("{} has no finite value", printed.text()));
     error = std::max(error, check.estimated_error);
@@ -90,14 +85,14 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, co
   }
   Finding finding;
   finding.verdict = judge_normalisation(furthest, error);
-  finding.computed = at_exponent(unit.value * checks.front().integral, checks.front().exponent);
+  finding.computed = at_exponent(unit * checks.front().integral, checks.front().exponent);
   if (checks.size() > 1)
     finding.computed +=
-        fmt::format(", {}", at_exponent(unit.value * checks.back().integral, checks.back().exponent));
-  const double exact = unit.value * worst_check->integral;
+        fmt::format(", {}", at_exponent(unit * checks.back().integral, checks.back().exponent));
+  const double exact = unit * worst_check->integral;
   finding.evidence =
       fmt::format("{}1 over the integral of '{}'",
-                  unit.text.empty() ? "" : fmt::format("{} times ", unit.text), record_of(claim).lobe);
+                  unit_text.empty() ? "" : fmt::format("{} times ", unit_text), record_of(claim).lobe);
   finding.evidence +=
       furthest <= normalisation_tolerance
           ? fmt::format(" is {} to better than {:.1g}", printed.text(), normalisation_tolerance)
@@ -313,11 +308,9 @@ Finding cheap_constant(const Claim& claim) {
 
 /// The quarter of the distribution's constant, and the same in a game's light unit.
 Finding microfacet_constant(const Claim& claim) {
-  const std::string_view text = claim.inputs.at("light unit");
-  const Unit unit{evaluate<double>(parse_formula(text, {}), [](const std::string&) { return 0.0; }),
-                  std::string(text)};
   const Finding plain = constant_alone(claim);
-  const Finding in_unit = against_integrals(claim, PrintedConstant(claim.printed[1].value), unit);
+  const Finding in_unit =
+      against_integrals(claim, PrintedConstant(claim.printed[1].value), claim.inputs.at("light unit"));
   return {worst(std::array{plain.verdict, in_unit.verdict}),
           fmt::format("{}; {}", plain.computed, in_unit.computed),
           sentences({plain.evidence, in_unit.evidence}),
