@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "approx/scalar.hpp"
 
 /// Dithering and marching through volumes.
@@ -45,11 +43,5 @@ template <class T>
 T guarded_mean(const T& sum, const T& weight, const T& epsilon) {
   return sum / (weight + epsilon);
 }
-
-/// The 4 x 4 matrix of offsets as printed, rows separated by `/`. `x` stands for the entry that its record
-/// prints.
-inline constexpr std::string_view printed_dither_pattern =
-    "0.0 0.5 0.125 0.625 / 0.75 x 0.875 0.375 / 0.1875 0.6875 0.0625 0.5625 / 0.9375 0.4375 0.8125 0.3125";
-inline constexpr std::string_view printed_dither_entry = "0.22";
 
 }  // namespace shadefit

@@ -78,9 +78,4 @@ struct Unattenuated {
   }
 };
 
-/// Possible decodings of a chart's codes. The chart says sRGB. The first alternative is the usual
-/// approximation of sRGB; the second is the same, but wrongly divides the 8-bit code by 256.
-inline constexpr std::string_view chart_convention = "sRGB";
-inline constexpr std::string_view other_chart_conventions = "gamma 2.2, gamma 2.2 of code/256";
-
 }  // namespace shadefit

@@ -14,7 +14,6 @@
 #include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
 #include "approx/ledger/catalogue.hpp"
-#include "approx/ledger/ledger.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
@@ -82,7 +81,7 @@ bool is_on(std::string_view claim, std::string_view family) {
 /// The claims that pass the filters. They are judged only if filtered by verdict.
 std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpoint& checkpoint) {
   std::vector<JudgedClaim> claims;
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       if (options.topic && !boost::icontains(topic.title, *options.topic)) continue;
       if (options.family && !is_on(claim.id, *options.family)) continue;
@@ -103,7 +102,7 @@ std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpo
 /// Refuses filters that match nothing because they name nothing that exists.
 void require_known_filters(const ListOptions& options) {
   std::vector<std::string> titles, families;
-  for (const Topic& topic : ledger) titles.emplace_back(topic.title);
+  for (const Topic& topic : ledger()) titles.emplace_back(topic.title);
   for (const FittableFamily& family : fittable_families()) families.emplace_back(family.info.id);
   if (options.family) require_known(*options.family, families, "family");
   const bool is_topic = !options.topic || std::ranges::any_of(titles, [&](const auto& title) {
@@ -124,7 +123,7 @@ void add_study(Table& list, const StudyFile& file) {
 
 /// The claim that states the published constant of that id; any other id is returned.
 std::string claim_of(const std::string& id) {
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       for (const Published& constant : claim.constants) {
         if (constant.id == id) return std::string(claim.id);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/lint/lint_command.hpp"
-#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/joined.hpp"
@@ -46,7 +46,7 @@ NamedConstant named(const lint::KnownSet& set, const NumberMatch& found) {
 
 /// The claims of the ledger that print these digits.
 void append_claims(const lint::Digits& digits, std::vector<NamedConstant>& constants) {
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       for (const Quantity& quantity : claim.printed) {
         if (lint::digits_of(quantity.value) != digits) continue;

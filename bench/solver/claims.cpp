@@ -3,7 +3,6 @@
 #include <chrono>
 #include <string>
 
-#include "approx/ledger/ledger.hpp"
 #include "bench/solver/benchmarks.hpp"
 #include "fit/ledger/ledger.hpp"
 
@@ -28,7 +27,7 @@ void measure_ledger(benchmark::State& state) {
   for (auto _ : state) {
     longest = 0;
     Fits fits;
-    for (const Topic& topic : ledger) {
+    for (const Topic& topic : ledger()) {
       for (const Claim& claim : topic.claims) {
         const auto start = Clock::now();
         const Finding finding = evaluate(claim, fits);
@@ -48,7 +47,7 @@ void measure_ledger(benchmark::State& state) {
 
 void register_claims() {
   benchmark::RegisterBenchmark("ledger", measure_ledger)->Unit(benchmark::kMillisecond);
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) register_claim(claim);
   }
 }

@@ -1,13 +1,29 @@
-#include "fit/ledger/finding.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
 #include "fit/errors/effect.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/finding.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {
+
+std::string within(double gap, std::string_view tolerance) {
+  return gap <= number_of(tolerance) ? fmt::format("within {}", tolerance) : fmt::format("to {:.2g}", gap);
+}
+
+std::string effect_of_power(double from, double to, std::string_view lead) {
+  const auto lobe = [](double exponent) {
+    return [exponent]<class T>(const Cosine<T>& c) { return power_lobe(c.cos_theta, lift<T>(exponent)); };
+  };
+  const double blunter = std::min(from, to);
+  const Substitution domain({.measure = Measure::cosine},
+                            {.concentration = blunter, .end_power = std::min(blunter, 1.0)});
+  return sentence(effect_between(lobe(from), lobe(to), domain), "the curve", lead);
+}
+
 namespace {
 
 /// The effect of multiplying every linear grey by that ratio; white first, because the ratio is the same for

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "approx/records/claim.hpp"
+#include "fit/ledger/claim.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 /// The result of computing a claim, and the common functions of the ledger.

@@ -1,25 +1,26 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "approx/records/claim.hpp"
-#include "fit/ledger/finding.hpp"
+#include "fit/ledger/claim.hpp"
+#include "fit/ledger/evaluate.hpp"
 #include "fit/support/checkpoint.hpp"
-#include "fit/verdicts/refit.hpp"
 
-/// Computes the ledger: a finding for each claim.
+/// All claims, and a finding for each.
 namespace shadefit {
+
+/// Every claim, with one section per topic: the files of studies/claims, which the build puts into the
+/// library. Read once.
+std::span<const Topic> ledger();
 
 struct JudgedClaim {
   const Topic* topic;
   const Claim* claim;
   Finding finding;
 };
-
-/// Computes one claim; fits come from `fits`. Throws std::logic_error for an unknown claim.
-Finding evaluate(const Claim& claim, Fits& fits);
 
 /// Computes the wanted claims, in the order of the ledger. The checkpoint is called before each.
 std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,

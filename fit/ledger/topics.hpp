@@ -13,7 +13,7 @@ std::vector<Evaluator> arithmetic_evaluators();
 std::vector<Evaluator> half_banding_evaluators();
 std::vector<Evaluator> cost_evaluators();
 std::vector<Evaluator> kernels_evaluators();
-std::vector<Evaluator> von_mises_fisher_evaluators();
+std::vector<Evaluator> density_evaluators();
 std::vector<Evaluator> fresnel_evaluators();
 std::vector<Evaluator> phong_blinn_evaluators();
 std::vector<Evaluator> normalisation_evaluators();
@@ -23,7 +23,6 @@ std::vector<Evaluator> gloss_chain_evaluators();
 std::vector<Evaluator> harmonics_evaluators();
 std::vector<Evaluator> material_evaluators();
 std::vector<Evaluator> colour_chart_evaluators();
-std::vector<Evaluator> phase_evaluators();
 std::vector<Evaluator> dither_evaluators();
 std::vector<Evaluator> microfacet_evaluators();
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "approx/ledger/catalogue.hpp"
-#include "approx/ledger/ledger.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/sweep.hpp"
@@ -88,7 +87,7 @@ std::vector<std::string> known_ids() {
 
 std::vector<std::string> claim_ids() {
   std::vector<std::string> ids;
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) ids.emplace_back(claim.id);
   }
   return ids;

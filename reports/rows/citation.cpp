@@ -11,7 +11,7 @@
 #include <set>
 
 #include "approx/ledger/catalogue.hpp"
-#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 
@@ -44,7 +44,7 @@ std::string bibtex_name(const OthersText& author) {
 /// Calls `use` with each id of the ledger and the catalogue and a source that it has.
 template <class Use>
 void for_each_cited(const Use& use) {
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) use(claim.id, claim.source);
   }
   for (const Published& published : published_constants) {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/studies/find_study.hpp"
-#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "approx/phong_blinn.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/sweep.hpp"
@@ -227,7 +227,7 @@ TEST(ListCommand, NamesEveryClaimOnce) {
   const auto parsed = nlohmann::json::parse(run_command_line({"list", "--json"}).out);
   EXPECT_EQ(parsed["schema"], 1);
   std::size_t claims = 0;
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       EXPECT_NE(outcome.out.find("\n" + std::string(claim.id) + " "), std::string::npos) << claim.id;
       EXPECT_EQ(parsed["constants"][claims++]["id"], claim.id);

@@ -13,7 +13,6 @@
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "tests/accuracy.hpp"
-#include "tests/approx/formulas/cost.hpp"
 #include "tests/approx/formulas/environment_map.hpp"
 #include "tests/approx/formulas/fresnel.hpp"
 #include "tests/approx/formulas/full_range.hpp"
@@ -50,7 +49,6 @@ void every_formula(const Visit& visit) {
   testing::reflectance_formulas(visit);
   testing::shading_formulas(visit);
   testing::microfacet_formulas(visit);
-  testing::cost_formulas(visit);
   testing::environment_map_formulas(visit);
   testing::material_formulas(visit);
   testing::full_range_formulas(visit);

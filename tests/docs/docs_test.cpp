@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 
 #include "tests/docs/markdown.hpp"
 #include "tests/temporary_directory.hpp"
@@ -143,6 +145,33 @@ TEST(Docs, EveryLinkLeadsSomewhere) {
     }
   }
   EXPECT_GE(links, 50U);
+}
+
+/// How many lines of the TOML files of a folder are this one.
+long lines_in(const std::string& folder, const std::string& line) {
+  long count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto lines = testing::lines_of(read(entry.path()));
+    count += line.empty() ? 1 : std::ranges::count(lines, line);
+  }
+  return count;
+}
+
+TEST(Docs, CountsAreThoseOfTheFiles) {
+  const std::map<std::string, long> counts{{"claims", lines_in("studies/claims", "[[claim]]")},
+                                           {"published sets", lines_in("studies", "[[published]]")},
+                                           {"studies", lines_in("studies", "")}};
+  const std::regex stated(R"(\b(\d+)\s+(claims|published\s+sets|studies)\b)");
+  long found = 0;
+  for (const char* page : {"README.md", "CHANGELOG.md", "docs/gallery.md", "docs/verdicts.md"}) {
+    const std::string text = read(root / page);
+    for (std::sregex_iterator match(text.begin(), text.end(), stated), end; match != end; ++match, ++found)
+      EXPECT_EQ(std::stol((*match)[1]),
+                counts.at(std::regex_replace((*match)[2].str(), std::regex(R"(\s+)"), " ")))
+          << page << ": " << match->str();
+  }
+  EXPECT_GE(found, 4);
 }
 
 TEST(Docs, TheReadmeIsShortAndLinksEveryPage) {

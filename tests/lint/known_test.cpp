@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "lint/lint_tree.hpp"
 #include "lint/scan/characters.hpp"
 #include "tests/lint/all_known.hpp"
@@ -36,7 +36,7 @@ TEST(LintKnown, TheRecordsWithManyDigits) {
     for (const KnownConstant& constant : set.constants) known.insert(digits_of(constant.printed).text);
   std::vector<std::string> unknown;
   std::size_t records = 0;
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       for (const Quantity& printed : claim.printed) {
         if (!is_decimal(printed.value) || digits_of(printed.value).text.size() < many) continue;

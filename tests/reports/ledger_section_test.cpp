@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "approx/ledger/ledger.hpp"
 #include "fit/run/results.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/table/writers.hpp"

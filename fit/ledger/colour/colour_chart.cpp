@@ -2,16 +2,56 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/colour/transfer_function.hpp"
+#include "fit/ledger/finding.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {
+
+double TransferFunction::linear(double code) const {
+  const double encoded = code / codes;
+  return gamma == 0 ? srgb_decode(encoded) : gamma_decode(encoded, gamma);
+}
+
+double TransferFunction::code(double linear) const {
+  return codes * (gamma == 0 ? srgb_encode(linear) : gamma_encode(linear, gamma));
+}
+
+TransferFunction transfer_function(std::string_view name) {
+  constexpr std::string_view exponent = "gamma ", divisor = " of code/";
+  TransferFunction result;
+  result.name = name;
+  std::string_view function = name;
+  if (const auto at = name.find(divisor); at != std::string_view::npos) {
+    result.codes = number_of(name.substr(at + divisor.size()));
+    function = name.substr(0, at);
+  }
+  if (function.starts_with(exponent)) {
+    result.gamma = number_of(function.substr(exponent.size()));
+    if (!(result.gamma > 0))
+      throw std::invalid_argument(fmt::format("not an exponent above 0: {}", result.name));
+  } else if (function != "sRGB") {
+    throw std::invalid_argument(fmt::format("not a transfer function: '{}'", result.name));
+  }
+  if (!(result.codes > 0)) throw std::invalid_argument(fmt::format("not a divisor above 0: {}", result.name));
+  return result;
+}
+
+std::vector<TransferFunction> transfer_functions(std::string_view names) {
+  std::vector<TransferFunction> result;
+  for (const std::string_view name : items_of(names)) result.push_back(transfer_function(name));
+  return result;
+}
+
 namespace {
 
 /// The record's conventions; the convention of stored codes comes first.
@@ -122,13 +162,10 @@ Finding chart_range_given_twice(const Claim& claim) {
       judge(printed_second, {std::string(printed_first), first}, {}).verdict,
       fmt::format("{}; code {:.6g} is {:.7g} under {}", printed_first, code, conventions.front().linear(code),
                   conventions.front().name),
-      fmt::format(
-          "{} is {} of its last digit from {}. Code {:.6g} is {}, closer to {} under {} of {} conventions. "
-          "The linear value {} is code {}. The linear value {} is code {}",
-          printed_second, counted(units_off(printed_second, first), "unit"), printed_first, code,
-          linear_under_each(conventions, code), printed_first, closer_to_first, conventions.size(),
-          printed_first, code_under_each(conventions, first), printed_second,
-          code_under_each(conventions, second)),
+      told(claim, Told{"units", counted(units_off(printed_second, first), "unit")},
+           Told{"codes", linear_under_each(conventions, code)}, Told{"closer", closer_to_first},
+           Told{"conventions", conventions.size()}, Told{"first_code", code_under_each(conventions, first)},
+           Told{"second_code", code_under_each(conventions, second)}),
       effect_of_linear(second, first, code)};
 }
 
@@ -196,13 +233,10 @@ Finding middle_grey(const Claim& claim) {
   const Judgement judged = judge(printed, codes.front(), std::span(codes).subspan(1));
   const double exact = stored.code(linear);
   return {judged.verdict, decimal(judged.value, 6),
-          fmt::format(
-              "{:.4g} of the light of white is code {}. The first of these rounds to {:.6g} and truncates to "
-              "{:.6g}. Code {} is {:.4g} of the light of white and code {:.6g} is {:.4g}, under {}. The grey "
-              "card's {:.4g} is code {:.4g}",
-              linear, in_words(codes), std::round(exact), std::floor(exact), printed,
-              stored.linear(number_of(printed)), naive, stored.linear(naive), stored.name, photographic,
-              stored.code(photographic)),
+          told(claim, Told{"codes", in_words(codes)}, Told{"rounded", std::round(exact)},
+               Told{"truncated", std::floor(exact)}, Told{"of_code", stored.linear(number_of(printed))},
+               Told{"of_not", stored.linear(naive)}, Told{"convention", stored.name},
+               Told{"photographic_code", stored.code(photographic)}),
           effect_of_linear(stored.linear(number_of(printed)), linear, number_of(printed))};
 }
 

@@ -1,21 +1,100 @@
-#include "approx/dither.hpp"
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "approx/dither.hpp"
 #include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/lobes/march.hpp"
+#include "fit/ledger/colour/march.hpp"
+#include "fit/ledger/finding.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {
+
+std::vector<double> dither_matrix(std::string_view text, double x) {
+  const auto bad = [&] {
+    return std::invalid_argument(fmt::format("not a square matrix with one x: {}", text));
+  };
+  std::vector<double> entries;
+  int letters = 0;
+  const auto rows = items_of(text, '/');
+  for (const std::string_view row : rows) {
+    const auto words = items_of(row, ' ');
+    if (words.size() != rows.size()) throw bad();
+    for (const std::string_view word : words) {
+      letters += word == "x" ? 1 : 0;
+      entries.push_back(word == "x" ? x : number_of(word));
+    }
+  }
+  const bool is_power_of_two = (rows.size() & (rows.size() - 1)) == 0;
+  if (letters != 1 || !is_power_of_two) throw bad();
+  return entries;
+}
+
+std::vector<double> missing_from(const std::vector<double>& entries) {
+  std::vector<double> missing;
+  const auto n = static_cast<double>(entries.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const double value = static_cast<double>(k) / n;
+    if (std::ranges::find(entries, value) == entries.end()) missing.push_back(value);
+  }
+  return missing;
+}
+
+MarchError march_error(std::vector<double> places) {
+  std::ranges::sort(places);
+  const auto n = static_cast<double>(places.size());
+  const auto cube = [](double t) { return t * t * t; };
+  MarchError error;
+  double squares = 0, left = 0;
+  // For an edge between `left` and `right`, k places lie below it: the error is k/n - e.
+  const auto piece = [&](double k, double right) {
+    const double at_left = k / n - left, at_right = k / n - right;
+    squares += (cube(at_left) - cube(at_right)) / 3;
+    error.largest = std::max({error.largest, std::abs(at_left), std::abs(at_right)});
+    left = right;
+  };
+  double k = 0, squared_places = 0, larger_of_pairs = 0;
+  for (const double place : places) {
+    piece(k, place);
+    ++k;
+    squared_places += place * place;
+    larger_of_pairs += (2 * k - 1) * place;  // it is the larger one in 2k - 1 of the ordered pairs
+  }
+  piece(k, 1);
+  error.rms = std::sqrt(squares);
+  error.rms_by_warnock = std::sqrt(1.0 / 3 - (1 - squared_places / n) + (1 - larger_of_pairs / (n * n)));
+  return error;
+}
+
+std::vector<double> march_places(int steps, const std::vector<double>& offsets) {
+  std::vector<double> places;
+  for (int i = 0; i < steps; ++i) {
+    for (const double offset : offsets) places.push_back((i + offset) / steps);
+  }
+  return places;
+}
+
+double share_made_worse(int fewer, int more) {
+  // In units of 1/(fewer more) every jump of either estimate is a whole number.
+  const long all = static_cast<long>(fewer) * more;
+  long worse = 0;
+  for (long cell = 0; cell < all; ++cell) {
+    const long estimate_of_fewer = (cell / more + 1) * more, estimate_of_more = (cell / fewer + 1) * fewer;
+    worse += estimate_of_more > estimate_of_fewer ? 1 : 0;
+  }
+  return static_cast<double>(worse) / static_cast<double>(all);
+}
+
 namespace {
 
 double mean_of(const std::vector<double>& values) {
@@ -165,10 +244,11 @@ Finding march_steps(const Claim& claim) {
       is_known ? std::optional(worst(verdicts)) : std::nullopt,
       fmt::format("rms {:.6g} plain, {:.6g} dithered, {:.6g} with {}", march_rms(plain), as_printed.rms,
                   corrected.rms, corrected_x),
-      fmt::format("{0}. With {2} it is {1:.4g}. With {3} and x = {5} it is {4}; with {7} it is {6}",
-                  falling.sentence, march_rms(plain), plain_steps,
-                  counted(static_cast<long>(dithered), "dithered step"), as_printed.sentence, x,
-                  corrected.sentence, corrected_x),
+      told(claim, Told{"falling", falling.sentence}, Told{"plain_steps", plain_steps},
+           Told{"plain_rms", march_rms(plain)},
+           Told{"dithered_steps", counted(static_cast<long>(dithered), "dithered step")},
+           Told{"as_printed", as_printed.sentence}, Told{"corrected_x", corrected_x},
+           Told{"corrected", corrected.sentence}),
       sentences({effect_of_march(1 / plain, "a half-lit ray of strength 1",
                                  fmt::format("a march of {}", plain_steps)),
                  effect_of_march(as_printed.largest, "it", "the dithered and blurred march"),
@@ -203,18 +283,12 @@ Finding bilateral_epsilon(const Claim& claim) {
   const Verdict verdict = limit <= 0     ? Verdict::confirmed
                           : limit < taps ? Verdict::conditional
                                          : Verdict::refuted;
-  const std::string black = decimal(1 / falloff, 4);
   return {
       verdict, fmt::format("true for a sum of weights W above {:.4g}", limit),
-      fmt::format(
-          "on a flat surface (W = {:.6g}) white loses {:.3g}, which is {:.2g} codes{}. White loses less than "
-          "{:.3g} codes for W above {:.4g} (taps less than {:.6g} away in depth). It loses less than "
-          "{:.3g} codes for W above {:.4g} (less than {:.6g} away). Further away the loss grows. With every "
-          "tap {} or more "
-          "away, W = 0 and white becomes black",
-          taps, 1 - flat, 255 - srgb_code(flat), half_keeps ? "; in half arithmetic it loses nothing" : "",
-          visible_codes, limit, gap_of(limit), second_codes, weight_that_loses(second_codes, epsilon),
-          gap_of(weight_that_loses(second_codes, epsilon)), black),
+      told(claim, Told{"loss", 1 - flat}, Told{"codes", 255 - srgb_code(flat)},
+           Told{"in_half", half_keeps ? "; in half arithmetic it loses nothing" : ""}, Told{"limit", limit},
+           Told{"gap", gap_of(limit)}, Told{"second_limit", weight_that_loses(second_codes, epsilon)},
+           Told{"second_gap", gap_of(weight_that_loses(second_codes, epsilon))}),
       sentences(
           {effect_on_white(taps, epsilon, "where depths agree it"),
            epsilon > 0 ? effect_on_white(0, epsilon, "where every tap is beyond a depth edge it") : "none"})};

@@ -117,34 +117,6 @@ Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
   return effect;
 }
 
-/// A form with a half or float cosine, at the power and at the low power of the claim.
-struct FormInCase {
-  const RoundedForm& form;
-  bool half_cosine;
-  Banding at_power, at_low;
-};
-
-/// "With the cosine in half pow first bands at power 18: its largest step is 0.47 codes at power 8 and 51 at
-/// power 1024, where 18 of 256 codes are left".
-std::string evidence_of(const FormInCase& tried, const Claim& claim, double visible, double last) {
-  const RoundedForm& form = tried.form;
-  const double power = number_of(claim.printed[0].value);
-  const Highlight highlight{power, tried.half_cosine,
-                            static_cast<int>(given(claim, "samples of a float cosine"))};
-  const auto first = first_banding_power(form, highlight, visible, last);
-  std::string more;
-  if (first)
-    more = fmt::format(", where {} of 256 codes are left", tried.at_power.codes);
-  else if (!tried.half_cosine && never_bands(form, visible, last))
-    more = fmt::format(". Rounding changes it by at most {:.2g} codes at each power",
-                       largest_step_of_roundings(form.relative_roundings, last));
-  return fmt::format(
-      "With the cosine in {} {} {}: its largest step is {} codes at power {:.4g} and {} at power {:.6g}{}",
-      tried.half_cosine ? "half" : "float", form.name,
-      first ? fmt::format("first bands at power {}", *first) : "never bands", decimal(tried.at_low.step, 2),
-      given(claim, "low power"), decimal(tried.at_power.step, 2), power, more);
-}
-
 /// A case of the claim: the number of published forms that band at the power, and at the low power.
 struct BandingCase {
   std::size_t bands = 0, low_bands = 0, forms = 0;
@@ -153,21 +125,36 @@ struct BandingCase {
   std::vector<std::string> evidence;  ///< a sentence for each form
 };
 
+/// Its evidence: "With the cosine in half pow first bands at power 18: its largest step is 0.47 codes at
+/// power 8 and 51 at power 1024, where 18 of 256 codes are left".
 BandingCase banding_case(const Claim& claim, bool half_cosine) {
-  const double power = number_of(claim.printed[0].value), low = given(claim, "low power");
+  const double low = given(claim, "low power"), last = given(claim, "powers up to");
   const double visible = given(claim, "visible step in 8-bit sRGB codes");
-  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
+  const Highlight highlight{number_of(claim.printed[0].value), half_cosine,
+                            static_cast<int>(given(claim, "samples of a float cosine"))};
   BandingCase found;
   for (const RoundedForm& form : rounded_forms) {
-    const FormInCase tried{form, half_cosine, banding_of(form, {power, half_cosine, samples}),
-                           banding_of(form, {low, half_cosine, samples})};
-    found.steps.push_back(decimal(tried.at_power.step, 2));
-    found.evidence.push_back(evidence_of(tried, claim, visible, given(claim, "powers up to")));
+    const Banding at_power = banding_of(form, highlight),
+                  at_low = banding_of(form, {low, half_cosine, highlight.samples});
+    const auto first = first_banding_power(form, highlight, visible, last);
+    std::string more;
+    if (first) {
+      more = fmt::format(", where {} of 256 codes are left", at_power.codes);
+    } else if (!half_cosine && never_bands(form, visible, last)) {
+      more = fmt::format(". Rounding changes it by at most {:.2g} codes at each power",
+                         largest_step_of_roundings(form.relative_roundings, last));
+    }
+    found.steps.push_back(decimal(at_power.step, 2));
+    found.evidence.push_back(fmt::format(
+        "With the cosine in {} {} {}: its largest step is {} codes at power {:.4g} and {} at power {:.6g}{}",
+        half_cosine ? "half" : "float", form.name,
+        first ? fmt::format("first bands at power {}", *first) : "never bands", decimal(at_low.step, 2), low,
+        found.steps.back(), highlight.exponent, more));
     if (!form.is_published) continue;
     ++found.forms;
-    found.bands += tried.at_power.step > visible ? 1 : 0;
-    found.low_bands += tried.at_low.step > visible ? 1 : 0;
-    found.effect.include(effect_of_rounding(form, {power, half_cosine, samples}));
+    found.bands += at_power.step > visible ? 1 : 0;
+    found.low_bands += at_low.step > visible ? 1 : 0;
+    found.effect.include(effect_of_rounding(form, highlight));
   }
   return found;
 }

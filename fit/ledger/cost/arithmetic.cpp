@@ -12,6 +12,7 @@
 #include "approx/lobe.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/formats.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
@@ -82,12 +83,10 @@ Finding gaussian_at_zero(const Claim& claim) {
   return {
       verdict,
       fmt::format("{}; the exact value is 10^{:.7g}", split_list(zero, "0", nonzero, "not 0"), magnitude),
-      fmt::format(
-          "{} is 10^{:.7g}, not 0, but a computer gives {}. exp(-k) stays above 0 up to k = {} in {}; "
-          "where subnormals are flushed, up to about k = {}. 0^{:.6g} is {}0 in each. At c = 0 the "
-          "Gaussian of a highlight with peak 1 leaves at least one 8-bit sRGB code only up to power {:.3g}",
-          value, magnitude, split_list(zero, "0", nonzero, "not 0"), enumerated(last), enumerated(formats),
-          enumerated(last_normal), power, power_is_zero ? "" : "not ", last_visible_power()),
+      told(claim, Told{"magnitude", magnitude}, Told{"zero", split_list(zero, "0", nonzero, "not 0")},
+           Told{"last", enumerated(last)}, Told{"all_formats", enumerated(formats)},
+           Told{"last_normal", enumerated(last_normal)}, Told{"not_zero", power_is_zero ? "" : "not "},
+           Told{"visible", last_visible_power()}),
       effect == "none" ? none_because(fmt::format("{} is below the least positive double", value)) : effect};
 }
 
@@ -190,15 +189,11 @@ Finding nan_at_zero(const Claim& claim) {
                          verdict_of_cases(safe.size(), formats.size())};
   return {
       worst(parts), fmt::format("NaN for {}; 0 for {}", of_nan, of_zero),
-      fmt::format(
-          "exp2(log2(0) b) is NaN for {}, and it is 0, the right value, for {}, in {}. exp2(A c - A) is not "
-          "NaN while A = k/ln 2 is finite: up to k = {}. That covers the powers up to {:.6g} in {}{}{}. "
-          "For a power above 0 and up to {:.5g} every pixel has a value. For other powers some pixels are NaN. "
-          "A filter spreads a NaN to other pixels, and a fixed-point target stores it as 0",
-          of_nan, of_zero, enumerated(formats), enumerated(last), largest,
-          safe.empty() ? "none of them" : enumerated(safe),
-          is_nan ? ". Where A overflows it is NaN at c = 0, 0.5 and 1" : "",
-          is_peak_alone ? "; exp2(A (c - 1)) is NaN at c = 1 alone" : "", least),
+      told(claim, Told{"of_nan", of_nan}, Told{"of_zero", of_zero}, Told{"all_formats", enumerated(formats)},
+           Told{"last", enumerated(last)}, Told{"safe", safe.empty() ? "none of them" : enumerated(safe)},
+           Told{"overflows", is_nan ? ". Where A overflows it is NaN at c = 0, 0.5 and 1" : ""},
+           Told{"at_peak", is_peak_alone ? "; exp2(A (c - 1)) is NaN at c = 1 alone" : ""},
+           Told{"least", least}),
       sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
                           "NaN stored as 0, exp2(log2(0) b)"),
                  sentence(lost, "the curve", "exp2(A c - A)")})};

@@ -1,7 +1,6 @@
-#include "approx/cost.hpp"
-
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -10,7 +9,7 @@
 #include <vector>
 
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/lobes/shader_forms.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
@@ -51,12 +50,12 @@ struct PrintedCount {
   bool is(const Operations& counted) const { return counted.total() == total && counted == instructions; }
 };
 
-Operations count_form(std::string_view name, const InstructionSet& instructions = {}) {
-  return count_operations(shader_form(name), instructions);
+Symbolic form_of(std::string_view formula) {
+  return read_formula(formula, {.variables = {}, .takes_parameters = true}).formula;
 }
 
-std::string text_of_form(std::string_view name) {
-  return to_text(shader_form(name).front());
+Operations count_form(std::string_view formula, const InstructionSet& instructions = {}) {
+  return count_operations(form_of(formula), instructions);
 }
 
 /// "MAD, EXP2 (2)".
@@ -64,23 +63,19 @@ std::string with_total(const Operations& count) {
   return fmt::format("{} ({})", to_text(count), count.total());
 }
 
+/// "exp2(A c - A) is MAD, EXP2 (2)".
+std::string sentence_of(std::string_view formula, const Operations& count) {
+  return fmt::format("{} is {}", to_text(form_of(formula)), with_total(count));
+}
+
 /// ". Compilers emit .. for pow (..)", or nothing if no form was compiled.
-std::string compiled_text(const std::vector<std::string_view>& forms) {
-  std::vector<std::string> words;
-  const auto pair = [](int alu, int transcendental) { return fmt::format("{}+{}", alu, transcendental); };
-  for (const std::string_view form : forms) {
-    for (const CompiledCost& cost : compiled_costs) {
-      if (cost.form != form) continue;
-      const std::string nvidia = pair(cost.nvidia_alu, cost.nvidia_transcendental);
-      const std::string amd = pair(cost.amd_alu, cost.amd_transcendental);
-      words.push_back(fmt::format("{} {}{}", form, nvidia, nvidia == amd ? "" : fmt::format(" and {}", amd)));
-    }
-  }
-  if (words.empty()) return "";
+std::string compiled_text(const Claim& claim) {
+  const auto compiled = std::ranges::find(claim.inputs, "compiled", &Quantity::name);
+  if (compiled == claim.inputs.end()) return "";
   return fmt::format(
-      ". Compilers emit this many instructions, vector arithmetic + transcendental: {} (own measurement: {}; "
-      "{})",
-      enumerated(words), nvidia_compiler, amd_compiler);
+      ". Compilers emit this many instructions, vector arithmetic + transcendental: {} (own measurement: nvcc "
+      "13.0.88 -arch=sm_75 --use_fast_math; clang 19.1.7 -mcpu=gfx1030 -cl-denorms-are-zero)",
+      compiled->value);
 }
 
 /// A wrong count in words: "1 instruction more than printed".
@@ -91,42 +86,28 @@ std::string effect_of_count(double printed, int counted_total) {
                      difference > 0 ? " more" : " fewer");
 }
 
-/// The parts of a finding, joined in order. A count changes no picture, so its meaning is the reason of a
-/// "none".
-struct Parts {
-  std::vector<Verdict> verdicts;
-  std::vector<std::string> computed, effects;
-  std::string evidence;
+/// A count changes no picture, so its meaning is the reason of a "none".
+std::string effect_of_counts(const std::vector<std::string>& meanings) {
+  return meanings.empty() ? "none"
+                          : none_because(fmt::format("no value changes; {}", fmt::join(meanings, "; ")));
+}
 
-  void add(Verdict verdict, const std::string& value, const std::string& sentence,
-           const std::string& what = "") {
-    verdicts.push_back(verdict);
-    computed.push_back(value);
-    evidence = sentences({evidence, sentence});
-    if (!what.empty()) effects.push_back(what);
-  }
-  Finding finding(const std::string& context) const {
-    return {worst(verdicts), fmt::format("{}", fmt::join(computed, "; ")), evidence + context,
-            effects.empty() ? "none"
-                            : none_because(fmt::format("no value changes; {}", fmt::join(effects, "; ")))};
-  }
-};
-
-/// Each printed count belongs to the form that the input at the same place names.
+/// Each printed count belongs to the formula of the input at the same place.
 Finding count_forms(const Claim& claim) {
-  Parts parts;
-  std::vector<std::string_view> forms;
-  for (std::size_t i = 0; i < claim.inputs.size(); ++i) {
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> computed, evidence, effects;
+  for (std::size_t i = 0; i < claim.printed.size() / 2; ++i) {
     const auto& [what, form] = claim.inputs[i];
     const Operations count = count_form(form);
     const PrintedCount printed = PrintedCount::of(claim, i);
-    const bool is_right = printed.is(count);
-    parts.add(verdict_of(is_right), fmt::format("{}: {}", what, with_total(count)),
-              fmt::format("{} is {}", text_of_form(form), with_total(count)),
-              is_right ? "" : fmt::format("{}: {}", what, effect_of_count(printed.total, count.total())));
-    forms.push_back(form);
+    verdicts.push_back(verdict_of(printed.is(count)));
+    computed.push_back(fmt::format("{}: {}", what, with_total(count)));
+    evidence.push_back(sentence_of(form, count));
+    if (!printed.is(count))
+      effects.push_back(fmt::format("{}: {}", what, effect_of_count(printed.total, count.total())));
   }
-  return parts.finding(compiled_text(forms));
+  return {worst(verdicts), fmt::format("{}", fmt::join(computed, "; ")),
+          sentences(evidence) + compiled_text(claim), effect_of_counts(effects)};
 }
 
 /// A count under a named convention.
@@ -160,15 +141,12 @@ Finding mip_level_cost(const Claim& claim) {
   const std::array conventions{CountingConvention{"with s + 1 given", count_form(with_sum)}};
   const PrintedCount printed = PrintedCount::of(claim, 0);
   const Verdict verdict = judge_count(printed, count, conventions);
-  Parts parts;
-  parts.add(verdict, with_total(count),
-            fmt::format("{} is {}{}", text_of_form(form), with_total(count),
-                        conventions_text(printed, conventions)),
-            verdict == Verdict::confirmed ? ""
-                                          : fmt::format("{}: {} per pixel, unless s + 1 is stored",
-                                                        effect_of_count(printed.total, count.total()),
-                                                        to_text(count - conventions.front().count)));
-  return parts.finding("");
+  return {verdict, with_total(count), sentence_of(form, count) + conventions_text(printed, conventions),
+          verdict == Verdict::confirmed
+              ? "none"
+              : effect_of_counts({fmt::format("{}: {} per pixel, unless s + 1 is stored",
+                                              effect_of_count(printed.total, count.total()),
+                                              to_text(count - conventions.front().count))})};
 }
 
 Finding power_four_cost(const Claim& claim) {
@@ -182,40 +160,41 @@ Finding power_four_cost(const Claim& claim) {
       CountingConvention{"with 1 - c also given",
                          count_form(claim.inputs.at("by exp2, 1 - c given"), with_scales)}};
   const PrintedCount printed = PrintedCount::of(claim, 0), printed_squaring = PrintedCount::of(claim, 1);
-  Parts parts;
-  parts.add(judge_count(printed, count, conventions), with_total(count),
-            fmt::format("{} is {}{}", text_of_form(form), with_total(count),
-                        conventions_text(printed, conventions)));
-  parts.add(verdict_of(printed_squaring.is(squaring)), with_total(squaring),
-            fmt::format("{} by squaring is {}", text_of_form(squared), with_total(squaring)));
-  parts.effects.push_back(fmt::format(
-      "with the subtraction counted on both sides, the count is {} with the free scale and {} by squaring. The "
-      "free scale saves {}; the source says {}",
-      scaled.total(), squaring.total(), counted(squaring.total() - scaled.total(), "instruction"),
-      counted(std::lround(printed_squaring.total - printed.total), "instruction")));
-  return parts.finding("");
+  const std::array verdicts{judge_count(printed, count, conventions),
+                            verdict_of(printed_squaring.is(squaring))};
+  return {
+      worst(verdicts), fmt::format("{}; {}", with_total(count), with_total(squaring)),
+      fmt::format("{}{}. {} by squaring is {}", sentence_of(form, count),
+                  conventions_text(printed, conventions), to_text(form_of(squared)), with_total(squaring)),
+      effect_of_counts({fmt::format(
+          "with the subtraction counted on both sides, the count is {} with the free scale and {} by squaring. The "
+          "free scale saves {}; the source says {}",
+          scaled.total(), squaring.total(), counted(squaring.total() - scaled.total(), "instruction"),
+          counted(std::lround(printed_squaring.total - printed.total), "instruction"))})};
 }
 
 Finding light_cost(const Claim& claim) {
   const int lights = static_cast<int>(given(claim, "lights"));
-  const auto per_light = [&](std::string_view form, const InstructionSet& instructions) {
-    return count_operations(shader_form(form, lights), instructions) -
-           count_operations(shader_form(form, lights - 1), instructions);
+  const auto of_lights = [](std::string_view formula, int count, const InstructionSet& instructions) {
+    std::vector<Symbolic> results;
+    for (int i = 0; i < count; ++i)
+      results.push_back(form_of(boost::replace_all_copy(std::string(formula), "l0", fmt::format("l{}", i))));
+    return count_operations(results, instructions);
+  };
+  const auto per_light = [&](std::string_view formula, const InstructionSet& instructions) {
+    return of_lights(formula, lights, instructions) - of_lights(formula, lights - 1, instructions);
   };
   const std::string_view form = claim.inputs.at("per light"), other = claim.inputs.at("with pow");
   const InstructionSet vector{.dot_products = true};
   const Operations count = per_light(form, vector), scalar = per_light(form, {}),
                    pow = per_light(other, vector);
   const PrintedCount printed = PrintedCount::of(claim, 0);
-  const bool is_right = printed.is(count);
-  Parts parts;
-  parts.add(
-      verdict_of(is_right), with_total(count),
-      fmt::format("the last of {}, {}, adds {}; with {} it adds {}. Without dot products they add {} and {}",
-                  counted(lights, "light"), text_of_form(form), with_total(count), text_of_form(other),
-                  with_total(pow), with_total(scalar), with_total(per_light(other, {}))),
-      is_right ? "" : effect_of_count(printed.total, count.total()));
-  return parts.finding(compiled_text({form, other}));
+  return {verdict_of(printed.is(count)), with_total(count),
+          fmt::format(
+              "the last of {}, {}, adds {}; with {} it adds {}. Without dot products they add {} and {}{}",
+              counted(lights, "light"), to_text(form_of(form)), with_total(count), to_text(form_of(other)),
+              with_total(pow), with_total(scalar), with_total(per_light(other, {})), compiled_text(claim)),
+          printed.is(count) ? "none" : effect_of_counts({effect_of_count(printed.total, count.total())})};
 }
 
 Finding saved_cost(const Claim& claim) {
@@ -227,19 +206,17 @@ Finding saved_cost(const Claim& claim) {
   const int pow = total("with pow"), gaussian = total("with the Gaussian");
   const int fresnel_pow = total("Fresnel with pow"), one_term = total("Fresnel with one term");
   const int whole_pow = total("whole Fresnel with pow"), whole = total("whole Fresnel with one term");
-  const bool is_saved = number_of(claim.printed[0].value) == pow - gaussian;
-  Parts parts;
-  parts.add(verdict_of(is_saved), std::to_string(pow - gaussian),
-            fmt::format("decode, lobe, normalisation and product take {}", from_to(pow, gaussian)),
-            is_saved ? "" : effect_of_count(number_of(claim.printed[0].value), pow - gaussian));
-  parts.add(
-      judge(claim.printed[1].value, {"(1-c)^5", percent(fresnel_pow, one_term)}, {}).verdict,
-      fmt::format("{:.4g} %", percent(fresnel_pow, one_term)),
-      fmt::format("(1-c)^5 takes {}: {:.4g} % less. The whole F0 + (1 - F0) (1-c)^5 takes {}: {:.2g} % less",
-                  from_to(fresnel_pow, one_term), percent(fresnel_pow, one_term), from_to(whole_pow, whole),
-                  percent(whole_pow, whole)));
-  return parts.finding(
-      compiled_text({claim.inputs.at("Fresnel with pow"), claim.inputs.at("Fresnel with one term")}));
+  const double printed = number_of(claim.printed[0].value), saved = percent(fresnel_pow, one_term);
+  const std::array verdicts{verdict_of(printed == pow - gaussian),
+                            judge(claim.printed[1].value, {"(1-c)^5", saved}, {}).verdict};
+  return {
+      worst(verdicts), fmt::format("{}; {:.4g} %", pow - gaussian, saved),
+      fmt::format(
+          "decode, lobe, normalisation and product take {}. (1-c)^5 takes {}: {:.4g} % less. The whole F0 + "
+          "(1 - F0) (1-c)^5 takes {}: {:.2g} % less{}",
+          from_to(pow, gaussian), from_to(fresnel_pow, one_term), saved, from_to(whole_pow, whole),
+          percent(whole_pow, whole), compiled_text(claim)),
+      printed == pow - gaussian ? "none" : effect_of_counts({effect_of_count(printed, pow - gaussian)})};
 }
 
 }  // namespace

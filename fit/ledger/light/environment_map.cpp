@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -29,21 +30,12 @@ Finding evaluate_lambert(const Claim& claim) {
   const double beyond = mip_level_of_power(width, printed) - std::log2(width);
   const std::optional<Verdict> verdict =
       apart <= tolerance ? std::optional(verdict_of(gap <= tolerance)) : std::nullopt;
-  return {
-      verdict, fmt::format("power = {:.10g}", found),
-      fmt::format(
-          "on the last level, log2(w), a face is one texel of {:.10g} sr. The lobe of power {:.10g} covers "
-          "as much, "
-          "at {} from {:.6g} to {:.6g}; the formula of the mean texel and the closed form of a face agree "
-          "{}. The lobe of power "
-          "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
-          "integral, the lobe of power {:.6g} has a peak {:.3g} times as bright",
-          lobe_solid_angle(found), found, counted(std::ssize(widths), "width"), widths.front(), widths.back(),
-          within(apart, claim.inputs.at("tolerance")), printed, lobe_solid_angle(printed), beyond, found,
-          lobe_solid_angle(printed) / lobe_solid_angle(found)),
-      gap <= tolerance
-          ? "none"
-          : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
+  return {verdict, fmt::format("power = {:.10g}", found),
+          told(claim, Told{"found", found}, Told{"agree", within(apart, claim.inputs.at("tolerance"))},
+               Told{"beyond", beyond}),
+          gap <= tolerance
+              ? "none"
+              : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
 }
 
 /// A meaning of "unblurred", and the power from which on it holds.
@@ -96,27 +88,13 @@ Finding evaluate_mean_power(const Claim& claim) {
 }
 
 Finding evaluate_power_range(const Claim& claim) {
-  const auto input = [&](std::string_view name) { return given(claim, name); };
-  const auto steps = [](double bits) { return std::exp2(bits) - 1; };
-  const double step = relative_gloss_step(input("octaves"), steps(input("bits")));
-  const double range = std::log2(input("most") / input("least"));
-  const auto percent = [](double share) { return fmt::format("{:.5g} %", 100 * share); };
-  const double middle = decode_gloss(0.5, input("octaves"), input("first octave"));
-  const auto bits = [&](std::string_view name) { return fmt::format("{} bits", claim.inputs.at(name)); };
-  const double lowest = decode_gloss(0.0, input("octaves"), input("first octave"));
-  const double highest = decode_gloss(1.0, input("octaves"), input("first octave"));
-  return {
-      judge(claim.printed[0].value, {"", 100 * step}, {}).verdict, fmt::format("step = {}", percent(step)),
-      fmt::format(
-          "one step of a gloss of {} over [{:.6g}, {:.6g}] changes the power by {}. Over the {:.4g} "
-          "octaves from {:.6g} to {:.6g} a step changes it by {}; with {} by {}. A power stored as a whole "
-          "number of {} changes by {} at 1, ends at {:.6g} and cannot be below 1",
-          bits("bits"), lowest, highest, percent(step), range, input("least"), input("most"),
-          percent(relative_gloss_step(range, steps(input("bits")))), bits("more bits"),
-          percent(relative_gloss_step(range, steps(input("more bits")))), bits("bits"), percent(1),
-          steps(input("bits"))),
-      effect_of_power(middle, middle * (1 + step),
-                      fmt::format("one step of the gloss at power {:.4g}", middle))};
+  const double octaves = given(claim, "octaves");
+  const double step = relative_gloss_step(octaves, std::exp2(given(claim, "bits")) - 1);
+  const double middle = decode_gloss(0.5, octaves, given(claim, "first octave"));
+  return {judge(claim.printed[0].value, {"", 100 * step}, {}).verdict,
+          fmt::format("step = {:.5g} %", 100 * step), told(claim, Told{"share", step}),
+          effect_of_power(middle, middle * (1 + step),
+                          fmt::format("one step of the gloss at power {:.4g}", middle))};
 }
 
 }  // namespace

@@ -11,7 +11,8 @@
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/binary_logarithm.hpp"
 #include "fit/scalars/multiprecision.hpp"
@@ -85,11 +86,9 @@ Finding log2_constant(const Claim& claim) {
   const Decimal50 ratio = exp2(Decimal50(constant<Decimal50>(printed.value) - exact));
   return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
           decimal(rounded(exact), 10),
-          fmt::format(
-              "{:.4g} + log2(1/ln 2) = {:.10g} at 50 digits. The natural logarithm and repeated squaring {}. "
-              "The constant decodes {} to M = {:.6g} to {:.6g}",
-              rounded(first), rounded(exact), agreement(exact, other), glosses(claim),
-              base_two_power(powers(claim).front()), base_two_power(powers(claim).back())),
+          told(claim, Told{"exact", rounded(exact)}, Told{"agree", agreement(exact, other)},
+               Told{"glosses", glosses(claim)}, Told{"lowest", base_two_power(powers(claim).front())},
+               Told{"highest", base_two_power(powers(claim).back())}),
           effect_on_lobe(claim, rounded(ratio))};
 }
 
@@ -113,12 +112,11 @@ Finding ln2_over_eight(const Claim& claim) {
   const auto exact = base_two_normalisation_factor<Decimal50>();
   const Decimal50 other = 1 / (8 * log2_by_squares(exp(Decimal50(1))));
   const Quantity& printed = claim.printed[0];
-  return {
-      judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))), decimal(rounded(exact), 10),
-      fmt::format("ln 2/8 = {:.10g} at 50 digits. The constant and the binary logarithm of e, by repeated "
-                  "squaring, {}. It normalises {}",
-                  rounded(exact), agreement(exact, other), glosses(claim)),
-      effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
+  return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
+          decimal(rounded(exact), 10),
+          told(claim, Told{"exact", rounded(exact)}, Told{"agree", agreement(exact, other)},
+               Told{"glosses", glosses(claim)}),
+          effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
 }
 
 Finding gloss_decode(const Claim& claim) {
@@ -137,17 +135,14 @@ Finding gloss_decode(const Claim& claim) {
   const auto exactly = [](const Decimal50& s) {
     return fmt::format("{}{:.10g}", s == floor(s) ? "exactly " : "", rounded(s));
   };
-  return {
-      worst(parts), fmt::format("lowest = {:.10g}, highest = {:.10g}", rounded(lowest), rounded(highest)),
-      fmt::format(
-          "s is {} at g = {} and {} at g = {}, and {} between. A stored gloss has {}; each multiplies s by "
-          "{:.6g}",
-          exactly(lowest), claim.inputs.at("from"), exactly(highest), claim.inputs.at("to"),
-          ratio > 1 ? "rises" : "does not rise", counted(std::lround(steps), "step"), ratio),
-      sentences(
-          {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
-           effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
-                           "at the highest gloss")})};
+  return {worst(parts), fmt::format("lowest = {:.10g}, highest = {:.10g}", rounded(lowest), rounded(highest)),
+          told(claim, Told{"lowest", exactly(lowest)}, Told{"highest", exactly(highest)},
+               Told{"rises", ratio > 1 ? "rises" : "does not rise"},
+               Told{"steps", counted(std::lround(steps), "step")}, Told{"ratio", ratio}),
+          sentences(
+              {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
+               effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
+                               "at the highest gloss")})};
 }
 
 /// Two sides of an identity at the places of a claim: the largest difference, and whether it is rounding.
@@ -167,10 +162,6 @@ struct Sides {
   }
 };
 
-std::string domain(const Claim& claim) {
-  return fmt::format("[{}, {}]", claim.inputs.at("from"), claim.inputs.at("to"));
-}
-
 Finding exp2_identity(const Claim& claim) {
   const RootsOfTwo<Decimal50> roots;
   const auto all = places<Decimal50>(claim);
@@ -180,10 +171,8 @@ Finding exp2_identity(const Claim& claim) {
     sides.compare(exp_by_exp2(a) / truth, 1);
     sides.compare(roots.exp2(a / ln2<Decimal50>()) / truth, 1);
   }
-  return {
-      verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
-      fmt::format("at {} a in {} both sides {}, relative. The test computes 2^x from square roots of 2 only",
-                  counted(std::ssize(all), "value"), domain(claim), sides.words(claim))};
+  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
+          told(claim, Told{"values", counted(std::ssize(all), "value")}, Told{"agree", sides.words(claim)})};
 }
 
 Finding normalised_mad(const Claim& claim) {
@@ -196,12 +185,10 @@ Finding normalised_mad(const Claim& claim) {
   }
   const std::string_view printed = claim.inputs.at("factor");
   const std::array parts{verdict_of(sides.agree(claim)), judge(printed, {"", rounded(factor)}, {}).verdict};
-  return {
-      worst(parts), identity_if(worst(parts)),
-      fmt::format(
-          "with the factor ln 2/8 = {:.10g} both sides {}, relative, at {}. The printed {} is off by {:.2g}",
-          rounded(factor), sides.words(claim), glosses(claim), printed, number_of(printed) - rounded(factor)),
-      effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
+  return {worst(parts), identity_if(worst(parts)),
+          told(claim, Told{"exact", rounded(factor)}, Told{"agree", sides.words(claim)},
+               Told{"glosses", glosses(claim)}),
+          effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
 }
 
 /// The value of exp(log(c)) with it.
@@ -226,17 +213,13 @@ Finding log2_first(const Claim& claim) {
     formulas.compare(misprinted_log_by_log2(roots.exp2(u)) - log(roots.exp2(u)), excess(u));
   }
   const double peak = exp(misprinted_log_by_log2(1.0));
-  return {
-      formulas.agree(claim) ? std::optional(verdict_of(sides.agree(claim))) : std::nullopt,
-      fmt::format("only at a = {:.6g}", rounded(misprinted_log_is_right_at<Decimal50>())),
-      fmt::format(
-          "at {} a = 2^u the sides {}. log2(a ln 2) - log(a) is {:.4g} at a = 2^{:.6g}, {:.4g} at a = "
-          "2^{:.6g} and 0 only at a = {:.6g}. exp(k log(c)) with this logarithm peaks at {:.3g}^k instead "
-          "of 1: the higher the power, the darker the highlight",
-          counted(std::ssize(all), "value"), sides.words(claim), rounded(excess(all.front())),
-          rounded(all.front()), rounded(excess(all.back())), rounded(all.back()),
-          rounded(misprinted_log_is_right_at<Decimal50>()), peak),
-      sentence(effect_of_misprinted_log(), "the curve", "at k = 1, c^k computed with this logarithm")};
+  return {formulas.agree(claim) ? std::optional(verdict_of(sides.agree(claim))) : std::nullopt,
+          fmt::format("only at a = {:.6g}", rounded(misprinted_log_is_right_at<Decimal50>())),
+          told(claim, Told{"values", counted(std::ssize(all), "value")}, Told{"agree", sides.words(claim)},
+               Told{"excess_at_from", rounded(excess(all.front()))},
+               Told{"excess_at_to", rounded(excess(all.back()))},
+               Told{"right_at", rounded(misprinted_log_is_right_at<Decimal50>())}, Told{"peak", peak}),
+          sentence(effect_of_misprinted_log(), "the curve", "at k = 1, c^k computed with this logarithm")};
 }
 
 Finding log2_second(const Claim& claim) {
@@ -251,12 +234,8 @@ Finding log2_second(const Claim& claim) {
       sides.compare(ln2<Decimal50>() * log2_by_squares(a) / size, truth / size);
     }
   }
-  return {
-      verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
-      fmt::format(
-          "at a = 2^u and 2^u/3, for {} u in {}, both sides {}, relative to the larger of 1 and themselves. "
-          "The test computes log2 by repeated squaring only",
-          counted(std::ssize(all), "value"), domain(claim), sides.words(claim))};
+  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
+          told(claim, Told{"values", counted(std::ssize(all), "value")}, Told{"agree", sides.words(claim)})};
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "approx/environment_map.hpp"
-#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -132,13 +133,11 @@ Finding evaluate_gloss_chain(const Claim& claim) {
                           : formula.wrong == 0 ? Verdict::conditional
                                                : Verdict::refuted;
   const std::string of_loop = loop.wrong == 0 ? "" : fmt::format("; by the loop {}", series(by_loop));
-  return {
-      verdict, series(by_formula) + of_loop,
-      fmt::format("with a floating-point division the {} are made for {}: {} of the {} printed. The loop as "
-                  "printed divides integers and makes them for {}: {} of the printed ones",
-                  counted(levels, "level"), series(by_formula), formula.right,
-                  counted(std::ssize(claim.printed), "power"), series(by_loop), loop.right),
-      effect_of(loop, "the loop as printed")};
+  return {verdict, series(by_formula) + of_loop,
+          told(claim, Told{"levels", counted(levels, "level")}, Told{"by_formula", series(by_formula)},
+               Told{"right", formula.right}, Told{"powers", counted(std::ssize(claim.printed), "power")},
+               Told{"by_loop", series(by_loop)}, Told{"right_by_loop", loop.right}),
+          effect_of(loop, "the loop as printed")};
 }
 
 Finding evaluate_sphere_powers(const Claim& claim) {
@@ -146,10 +145,8 @@ Finding evaluate_sphere_powers(const Claim& claim) {
   const auto powers = gloss_chain(spheres, given(claim, "octaves"), given(claim, "first octave"), false);
   const Places places = compare_with_printed(claim.printed, powers);
   return {verdict_of(places.wrong == 0), series(powers),
-          fmt::format(
-              "{} with glosses from 1 to 0 in steps of {:.6g} have the powers {}: {} as printed, {} wrong",
-              counted(spheres, "sphere"), 1.0 / (spheres - 1), series(powers), counted(places.right, "power"),
-              places.wrong),
+          told(claim, Told{"series", series(powers)}, Told{"right", counted(places.right, "power")},
+               Told{"wrong", places.wrong}),
           effect_of(places, "the series")};
 }
 
@@ -163,16 +160,12 @@ Finding evaluate_power_drop(const Claim& claim) {
   const auto drop_of_gloss = [&](int count) {
     return decimal(decode_gloss(gloss_of_level<double>(1, count) - 1, given(claim, "octaves"), 0.0), 4);
   };
-  return {
-      verdict_of(places.wrong == 0), series(powers),
-      fmt::format(
-          "the series is {} and continues with {:.6g}. With a gloss of {} octaves the power drops to {} of "
-          "itself per "
-          "level over {}, and to {} over {}",
-          series(powers), power_after_drops(first, drop, levels), claim.inputs.at("octaves"),
-          drop_of_gloss(levels), counted(levels, "level"), drop_of_gloss(levels + 2),
-          counted(levels + 2, "level")),
-      effect_of(places, "the series")};
+  return {verdict_of(places.wrong == 0), series(powers),
+          told(claim, Told{"series", series(powers)}, Told{"next", power_after_drops(first, drop, levels)},
+               Told{"drop", drop_of_gloss(levels)}, Told{"levels", counted(levels, "level")},
+               Told{"drop_over_more", drop_of_gloss(levels + 2)},
+               Told{"more_levels", counted(levels + 2, "level")}),
+          effect_of(places, "the series")};
 }
 
 Finding evaluate_mip_select(const Claim& claim) {
@@ -188,15 +181,10 @@ Finding evaluate_mip_select(const Claim& claim) {
   const double found = printed.wanted * printed.worst_ratio;
   return {
       verdict, fmt::format("at worst {:.4g} times the wanted power", printed.worst_ratio),
-      fmt::format(
-          "among {} the shader finds the power within {} at {}. The worst is code {}: it finds {:.4g} "
-          "instead of {:.4g}, a factor of {:.4g}. A shader that multiplies by levels - 1 = {:.3g} finds the "
-          "power at {}. At worst the reflection covers {:.3g} times the right solid angle",
-          counted(codes, "gloss code"),
-          steps == "1" ? "one code's step" : fmt::format("{} of a code's step", steps),
-          runs_of(printed.found), printed.worst_code, found, printed.wanted, printed.worst_ratio, levels - 1,
-          counted(std::ssize(inverse.found), "code"),
-          lobe_solid_angle(found) / lobe_solid_angle(printed.wanted)),
+      told(claim, Told{"codes", counted(codes, "gloss code")},
+           Told{"within", steps == "1" ? "one code's step" : fmt::format("{} of a code's step", steps)},
+           Told{"runs", runs_of(printed.found)}, Told{"worst_code", printed.worst_code}, Told{"found", found},
+           Told{"wanted", printed.wanted}, Told{"inverse", counted(std::ssize(inverse.found), "code")}),
       verdict == Verdict::confirmed
           ? "none"
           : effect_of_power(

@@ -9,7 +9,8 @@
 
 #include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/support/decimal.hpp"
@@ -29,22 +30,10 @@ double without_factor(int i, double z, double phi) {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// The integral of a product of two of them over the sphere: Gauss-Kronrod in both variables.
-Integral product_by_gauss_kronrod(int i, int j) {
-  double inner_error = 0;
-  const auto ring = [&](double z) {
-    const auto product = [&](double phi) { return without_factor(i, z, phi) * without_factor(j, z, phi); };
-    const Integral part = gauss_kronrod(product, 0, turn, harmonic_tolerance, harmonic_tolerance);
-    inner_error = std::max(inner_error, part.error);
-    return part.value;
-  };
-  const Integral whole = gauss_kronrod(ring, -1, 1, harmonic_tolerance, harmonic_tolerance);
-  return {whole.value, whole.error + 2 * inner_error};
-}
-
-/// The same by equal steps in the azimuth, which are exact for angles up to 2 phi, and tanh-sinh in z. That
-/// rule never settles on an integral of 0, so 1 is added to it.
-Integral product_by_steps(int i, int j) {
+/// The integral of a product of two of them over the sphere: by equal steps in the azimuth, which are exact
+/// for angles up to 2 phi, and two rules in z. tanh-sinh never settles on an integral of 0, so 1 is added to
+/// each ring.
+Integral integral_of_product(int i, int j) {
   constexpr int steps = 8;
   const auto ring = [&](double z) {
     double sum = 0;
@@ -54,8 +43,9 @@ Integral product_by_steps(int i, int j) {
     }
     return sum * turn / steps + 1;
   };
-  const Integral shifted = tanh_sinh(ring, -1, 1, harmonic_tolerance);
-  return {shifted.value - 2, shifted.error};
+  const Integral first = gauss_kronrod(ring, -1, 1, harmonic_tolerance),
+                 second = tanh_sinh(ring, -1, 1, harmonic_tolerance);
+  return {first.value - 2, std::max({first.error, second.error, std::abs(first.value - second.value)})};
 }
 
 /// The ten integrals of products: the norms, and the largest of the others, which should be 0.
@@ -69,14 +59,12 @@ Orthogonality integrate_products() {
   Orthogonality result;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j <= i; ++j) {
-      const Integral first = product_by_gauss_kronrod(i, j);
-      const Integral second = product_by_steps(i, j);
-      result.error =
-          std::max({result.error, first.error, second.error, std::abs(first.value - second.value)});
+      const Integral product = integral_of_product(i, j);
+      result.error = std::max(result.error, product.error);
       if (i == j) {
-        result.norm[static_cast<std::size_t>(i)] = first.value;
+        result.norm[static_cast<std::size_t>(i)] = product.value;
       } else {
-        result.coupling = std::max({result.coupling, std::abs(first.value), std::abs(second.value)});
+        result.coupling = std::max(result.coupling, std::abs(product.value));
       }
     }
   }
@@ -107,13 +95,10 @@ Finding evaluate_basis(const Claim& claim) {
   }
   if (uncertainty > number_of(tolerance)) verdicts.push_back(std::nullopt);
   verdicts.push_back(verdict_of(gap <= number_of(tolerance) || uncertainty > number_of(tolerance)));
-  return {
-      worst(verdicts), enumerated(computed),
-      fmt::format(
-          "sqrt(1/(4 pi)) = {:.10g} and sqrt(3/(4 pi)) = {:.10g} make the four functions orthonormal {}, "
-          "by two rules. With the printed factors the squared norms are {}",
-          closed_forms[0], closed_forms[1], within(std::max(gap, uncertainty), tolerance), enumerated(norms)),
-      sentences(effects)};
+  return {worst(verdicts), enumerated(computed),
+          told(claim, Told{"agree", within(std::max(gap, uncertainty), tolerance)},
+               Told{"norms", enumerated(norms)}),
+          sentences(effects)};
 }
 
 Finding evaluate_memory(const Claim& claim) {
@@ -228,19 +213,15 @@ Finding evaluate_loss(const Claim& claim) {
         coefficients, as_fraction(kept.energy), kept.energy, as_fraction(kept.peak));
   };
   const int enough = bands_within_a_code(64);
-  return {
-      worst(parts), fmt::format("energy kept = {} and {}", as_fraction(few.energy), as_fraction(more.energy)),
-      fmt::format(
-          "{}. {}. The closed forms and two rules agree {}. We read 'a little' as: at most {:.3g} of the "
-          "energy. An error below one 8-bit sRGB code facing the light would take {:.6g} coefficients. "
-          "Facing the light white drops by {:.3g} codes with {} coefficients and is too bright by {:.3g} % "
-          "with {}",
-          words(few, claim.inputs.at("coefficients")), words(more, claim.inputs.at("more coefficients")),
-          within(agreement.gap, tolerance), little, static_cast<double>(enough * enough),
-          srgb_code(1.0) - srgb_code(few.peak), claim.inputs.at("coefficients"), 100 * (more.peak - 1),
-          claim.inputs.at("more coefficients")),
-      sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
-                 effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
+  return {worst(parts),
+          fmt::format("energy kept = {} and {}", as_fraction(few.energy), as_fraction(more.energy)),
+          told(claim, Told{"few", words(few, claim.inputs.at("coefficients"))},
+               Told{"more", words(more, claim.inputs.at("more coefficients"))},
+               Told{"agree", within(agreement.gap, tolerance)},
+               Told{"enough", static_cast<double>(enough * enough)},
+               Told{"dark", srgb_code(1.0) - srgb_code(few.peak)}, Told{"bright", 100 * (more.peak - 1)}),
+          sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
+                     effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
 }
 
 }  // namespace

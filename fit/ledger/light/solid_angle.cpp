@@ -5,8 +5,9 @@
 #include "approx/environment_map.hpp"
 #include "approx/lobe.hpp"
 #include "fit/errors/effect.hpp"
+#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/formats.hpp"
-#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/support/decimal.hpp"
@@ -21,10 +22,6 @@ namespace {
 constexpr double rule_tolerance = 1e-14;
 constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
-
-std::string from_to(const std::vector<double>& numbers) {
-  return fmt::format("from {:.6g} to {:.6g}", numbers.front(), numbers.back());
-}
 
 /// The widest half-angle at which the plain form, in half precision, has lost the whole cap.
 Eigen::half widest_lost_cap() {
@@ -111,7 +108,7 @@ double solved_level(double width, double exponent) {
 }
 
 Finding evaluate_cap(const Claim& claim) {
-  const std::vector<double> degrees = parse_sweep(claim.inputs.at("half-angles in degrees"));
+  const std::vector<double> degrees = parse_sweep(claim.inputs.at("degrees"));
   const std::string_view tolerance = claim.inputs.at("tolerance");
   Agreement agreement;
   for (const double phi : degrees) {
@@ -119,13 +116,9 @@ Finding evaluate_cap(const Claim& claim) {
     agreement.compare(cap_solid_angle(phi * degree), gauss_kronrod(ring, 0, phi * degree, rule_tolerance),
                       tanh_sinh(ring, 0, phi * degree, rule_tolerance));
   }
-  return {
-      agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
-      fmt::format(
-          "two rules agree with the form {}, relative, at {} {} degrees. The last one covers {:.10g} sr. {}",
-          within(agreement.gap, tolerance), counted(std::ssize(degrees), "half-angle"), from_to(degrees),
-          cap_solid_angle(degrees.back() * degree), lost_caps()),
-      effect_of_cap()};
+  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
+          told(claim, Told{"agree", within(agreement.gap, tolerance)}, Told{"lost", lost_caps()}),
+          effect_of_cap()};
 }
 
 Finding evaluate_lobe(const Claim& claim) {
@@ -133,14 +126,8 @@ Finding evaluate_lobe(const Claim& claim) {
   const std::string_view tolerance = claim.inputs.at("tolerance");
   Agreement agreement;
   for (const double exponent : exponents) compare_lobe(exponent, agreement);
-  return {
-      agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
-      fmt::format(
-          "two rules agree with the form {}, relative, at {} {}. The lobe covers {:.10g} sr at power {:.6g} "
-          "and {:.10g} sr at power {:.6g}",
-          within(agreement.gap, tolerance), counted(std::ssize(exponents), "power"), from_to(exponents),
-          lobe_solid_angle(exponents.front()), exponents.front(), lobe_solid_angle(exponents.back()),
-          exponents.back())};
+  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
+          told(claim, Told{"agree", within(agreement.gap, tolerance)})};
 }
 
 Finding evaluate_texel(const Claim& claim) {
@@ -163,21 +150,13 @@ Finding evaluate_texel(const Claim& claim) {
   const std::optional<Verdict> parts[] = {of_face.verdict(number_of(tolerance)),
                                           agreement.verdict(number_of(tolerance)),
                                           is_ordered ? Verdict::confirmed : Verdict::conditional};
-  const auto level_shift = [](double ratio) { return decimal(std::abs(std::log2(ratio)) / 2, 3); };
-  return {
-      worst(parts), identity_if(worst(parts)),
-      fmt::format(
-          "a face covers {:.10g} sr. {:.6g}^2 mean texels cover the same {}. The corner texel covers {:.6g} "
-          "times the mean and a texel at the centre {:.6g} times; for small texels these are {:.6g} and "
-          "{:.6g}, "
-          "and the corner covers {:.6g} times what the centre covers. With 1 or 2 texels per side all are equal. A "
-          "level chosen for the mean is {} levels too coarse at the centre of a face, as if the power were {:.3g} "
-          "times as high. In the corners it is {} levels too fine, as if the power were {:.3g} times as high",
-          face.value, edge, within(of_face.gap, tolerance), corner, centre, corner_limit, centre_limit,
-          corner_limit / centre_limit, level_shift(centre), 1 / centre, level_shift(corner), 1 / corner),
-      is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
-                              effect_of_texel(mean, corner, "in its corner")})
-                 : "none"};
+  return {worst(parts), identity_if(worst(parts)),
+          told(claim, Told{"face", face.value}, Told{"edge", edge},
+               Told{"agree", within(of_face.gap, tolerance)}, Told{"corner", corner}, Told{"centre", centre},
+               Told{"corner_limit", corner_limit}, Told{"centre_limit", centre_limit}),
+          is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
+                                  effect_of_texel(mean, corner, "in its corner")})
+                     : "none"};
 }
 
 Finding evaluate_mip_level(const Claim& claim) {
@@ -207,24 +186,16 @@ Finding evaluate_mip_level(const Claim& claim) {
   }
   const bool holds = std::max({root_gap, factor_gap, formula_gap}) <= number_of(tolerance);
   const double width = widths[widths.size() / 2];
-  return {
-      verdict_of(holds),
-      fmt::format("under the root = {:.10g}, factor of the second logarithm = {:.10g}", solved_root,
-                  solved_factor),
-      fmt::format(
-          "we solved for the level at which texel and lobe cover the same, for {} {} at {} {}. The result "
-          "gives these "
-          "constants {} and agrees with the formula {}. At w = {:.6g} level 0 belongs to s = {:.10g} and "
-          "the last level, {:.3g}, to s = {:.6g}",
-          counted(std::ssize(exponents), "power"), from_to(exponents), counted(std::ssize(widths), "width"),
-          from_to(widths), within(std::max(root_gap, factor_gap), tolerance), within(formula_gap, tolerance),
-          width, power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), std::log2(width),
-          power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width)))),
-      // a level doubles the texel's edge: four times the solid angle
-      holds
-          ? "none"
-          : effect_of_power(shifted, shifted * std::exp2(-2 * shift),
-                            fmt::format("a level off by {:.3g} at power {:.6g}", std::abs(shift), shifted))};
+  return {verdict_of(holds),
+          fmt::format("under the root = {:.10g}, factor of the second logarithm = {:.10g}", solved_root,
+                      solved_factor),
+          told(claim, Told{"agree", within(std::max(root_gap, factor_gap), tolerance)},
+               Told{"formula_agrees", within(formula_gap, tolerance)}, Told{"w", width}),
+          // a level doubles the texel's edge: four times the solid angle
+          holds ? "none"
+                : effect_of_power(
+                      shifted, shifted * std::exp2(-2 * shift),
+                      fmt::format("a level off by {:.3g} at power {:.6g}", std::abs(shift), shifted))};
 }
 
 }  // namespace

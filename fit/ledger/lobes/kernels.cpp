@@ -13,6 +13,7 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/lobes/lobe_rule.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
@@ -22,15 +23,13 @@
 namespace shadefit {
 namespace {
 
-/// A kernel as a function of the direction; `sharpness` is in units of the exponent, so that all are of
-/// order 1.
 using LobeAngle = LobeRule::LobeAngle;
-using Kernel = std::function<double(const LobeAngle& direction, double sharpness)>;
+using Kernel = std::function<double(const LobeAngle& direction)>;
 
 struct LobeCandidate {
   std::string_view name;
   double rms;
-  double parameter;  ///< the fitted sharpness
+  double parameter;  ///< the fitted sharpness, in units of the exponent, so that all are of order 1
   Kernel kernel;
   double square() const { return rms * rms; }
 };
@@ -41,81 +40,19 @@ int last_term(double t, double decay = 40) {
   return static_cast<int>(std::ceil((std::sqrt(1 + 4 * decay / t) - 1) / 2));
 }
 
-std::vector<double> heat_weights(double t) {
+/// Of the heat kernel's width: near the peak it is exp(-theta^2/(4t)), a lobe exp(-k theta^2/2).
+double time_of(double sharpness) {
+  return 1 / (2 * sharpness);
+}
+
+/// The heat kernel of the sphere, its peak scaled to 1.
+Kernel heat_kernel(double t) {
   std::vector<double> weights;
   for (int l = 0; l <= last_term(t); ++l) weights.push_back(heat_weight(l, t));
-  return weights;
-}
-
-double sum_of(const std::vector<double>& terms) {
-  return std::accumulate(terms.rbegin(), terms.rend(), 0.0);  // the small ones first
-}
-
-/// Of the heat kernel's width: near the peak it is exp(-theta^2/(4t)), the lobe exp(-k theta^2/2).
-double time_of(double sharpness, double exponent) {
-  return 1 / (2 * exponent * sharpness);
-}
-
-/// The heat kernel at the nodes of a rule: the polynomials do not depend on the parameter, and are computed
-/// once.
-class HeatValues {
- public:
-  HeatValues(const LobeRule& rule, double largest_sharpness) : exponent_(rule.exponent()) {
-    const int last = last_term(time_of(largest_sharpness, exponent_));
-    std::vector<double> cosines, before, current;
-    for (const auto& node : rule.nodes()) cosines.push_back(1 - node.direction.one_minus_cos);
-    before.assign(cosines.size(), 1.0);
-    current = cosines;
-    polynomials_ = {before, current};
-    for (int l = 1; l < last; ++l) {
-      std::vector<double> next(cosines.size());
-      for (std::size_t i = 0; i < next.size(); ++i)
-        next[i] = next_legendre(cosines[i], current[i], before[i], l);
-      before = std::move(current);
-      current = next;
-      polynomials_.push_back(std::move(next));
-    }
-  }
-
-  std::vector<double> operator()(double sharpness) const {
-    const std::vector<double> weights = heat_weights(time_of(sharpness, exponent_));
-    const double peak = sum_of(weights);
-    std::vector<double> values(polynomials_[0].size(), 0.0);
-    for (std::size_t l = 0; l < weights.size(); ++l) {
-      const double weight = weights[l] / peak;
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] += weight * polynomials_[l][i];
-    }
-    return values;
-  }
-
- private:
-  double exponent_;
-  std::vector<std::vector<double>> polynomials_;
-};
-
-/// The heat kernel at one angle, for the other rule and for the effect.
-Kernel heat_kernel(double exponent, double sharpness) {
-  std::vector<double> weights = heat_weights(time_of(sharpness, exponent));
-  const double peak = sum_of(weights);
-  return [weights = std::move(weights), peak](const LobeAngle& direction, double) {
+  const double peak = std::accumulate(weights.rbegin(), weights.rend(), 0.0);  // the small ones first
+  return [weights = std::move(weights), peak](const LobeAngle& direction) {
     return legendre_series(1 - direction.one_minus_cos, std::span<const double>(weights)) / peak;
   };
-}
-
-/// The range of fitted sharpnesses, in units of the exponent: the best of all kernels lie well inside.
-constexpr double least_sharpness = 0.25, largest_sharpness = 8;
-
-LobeCandidate fit_candidate(const LobeRule& rule, std::string_view name, const Kernel& kernel) {
-  const auto fit = fit_kernel(
-      rule,
-      [&](double sharpness) {
-        std::vector<double> values;
-        values.reserve(rule.nodes().size());
-        for (const auto& node : rule.nodes()) values.push_back(kernel(node.direction, sharpness));
-        return values;
-      },
-      least_sharpness, largest_sharpness);
-  return {name, fit.rms, fit.parameter, kernel};
 }
 
 constexpr std::string_view spherical_gaussian = "the spherical Gaussian";
@@ -129,37 +66,31 @@ double abscissa(std::string_view reading, const LobeAngle& direction) {
   throw std::invalid_argument(fmt::format("x is read as angle or chord, not as {}", reading));
 }
 
-/// The formula of a kernel of the record; not for the heat kernel, which is a series.
+/// The kernel of that name in the record, with a sharpness `k`.
 Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
   if (name == spherical_gaussian)
-    return [=](const LobeAngle& p, double s) { return gaussian_lobe_near_peak(p.one_minus_cos, k * s, 0.0); };
+    return [=](const LobeAngle& p) { return gaussian_lobe_near_peak(p.one_minus_cos, k, 0.0); };
   if (name == printed_gauss)
-    return [=](const LobeAngle& p, double s) { return line_gaussian(abscissa(reading, p), 1 / (k * s)); };
+    return [=](const LobeAngle& p) { return line_gaussian(abscissa(reading, p), 1 / k); };
   if (name == "the printed Abel-Poisson")
-    return [=](const LobeAngle& p, double s) { return poisson_of_circle_lobe(p.one_minus_cos, k * s); };
+    return [=](const LobeAngle& p) { return poisson_of_circle_lobe(p.one_minus_cos, k); };
   if (name == "Abel-Poisson on the sphere")
-    return [=](const LobeAngle& p, double s) { return poisson_of_sphere_lobe(p.one_minus_cos, k * s); };
+    return [=](const LobeAngle& p) { return poisson_of_sphere_lobe(p.one_minus_cos, k); };
+  if (name == heat) return heat_kernel(time_of(k));
   throw std::invalid_argument(fmt::format("no kernel is called {}", name));
 }
 
+/// With the best parameter. In units of the exponent the best sharpness of every kernel lies well inside 1/4
+/// to 8; beyond 2 the heat kernel would have more terms than any fit needs.
 LobeCandidate candidate(const LobeRule& rule, std::string_view name, std::string_view reading) {
-  if (name != heat) return fit_candidate(rule, name, kernel_of(name, rule.exponent(), reading));
-  // Beyond twice the lobe's own sharpness there would be more terms than any fit needs.
-  constexpr double sharpest = 2;
-  const auto fit = fit_kernel(rule, HeatValues(rule, sharpest), least_sharpness, sharpest);
-  return {name, fit.rms, fit.parameter, heat_kernel(rule.exponent(), fit.parameter)};
-}
-
-/// Each with its best parameter; the Spherical Gaussian first.
-std::vector<LobeCandidate> candidates(const LobeRule& rule, std::string_view names,
-                                      std::string_view reading) {
-  std::vector<LobeCandidate> all{candidate(rule, spherical_gaussian, reading)};
-  for (std::size_t at = 0; at < names.size();) {
-    const std::size_t comma = std::min(names.find(',', at), names.size());
-    all.push_back(candidate(rule, names.substr(at, comma - at), reading));
-    at = comma + 1;
-  }
-  return all;
+  const auto values = [&](double sharpness) {
+    const Kernel kernel = kernel_of(name, rule.exponent() * sharpness, reading);
+    std::vector<double> found;
+    for (const auto& node : rule.nodes()) found.push_back(kernel(node.direction));
+    return found;
+  };
+  const KernelFit fit = fit_kernel(rule, values, 0.25, name == heat ? 2 : 8);
+  return {name, fit.rms, fit.parameter, kernel_of(name, rule.exponent() * fit.parameter, reading)};
 }
 
 /// Both rules have to give the integral of every squared error to this, relative.
@@ -167,8 +98,7 @@ constexpr double agreement_of_rules = 1e-6;
 
 bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
   return std::ranges::all_of(all, [&](const LobeCandidate& c) {
-    const double other = rule.square_by_other_rule(
-        [&](const LobeAngle& direction) { return c.kernel(direction, c.parameter); });
+    const double other = rule.square_by_other_rule(c.kernel);
     return std::abs(other - c.square()) <= agreement_of_rules * other;
   });
 }
@@ -238,7 +168,7 @@ std::string costs() {
 std::string terms_to_see(const KernelContest& contest) {
   const LobeCandidate* candidate = contest.find(heat);
   if (candidate == nullptr) return "none asked";
-  const int last = last_term(time_of(candidate->parameter, contest.exponent), std::log(255.0));
+  const int last = last_term(time_of(contest.exponent * candidate->parameter), std::log(255.0));
   return fmt::format("{} at k = {:.6g}", last + 1, contest.exponent);
 }
 
@@ -262,8 +192,7 @@ Effect effect_of(const LobeCandidate& candidate, double exponent) {
   Effect effect;
   for (int i = 0; i <= steps; ++i) {
     const LobeAngle direction = LobeRule::direction_at(i * pi<double>() / (2 * steps));
-    effect.show(power_lobe_near_peak(direction.one_minus_cos, exponent),
-                candidate.kernel(direction, candidate.parameter),
+    effect.show(power_lobe_near_peak(direction.one_minus_cos, exponent), candidate.kernel(direction),
                 at_cosine({1 - direction.one_minus_cos, direction.one_minus_cos}));
   }
   return effect;
@@ -307,12 +236,15 @@ std::string ratio_in_words(const KernelContest& last, std::string_view reading) 
 }
 
 Finding other_kernels(const Claim& claim) {
-  const std::string_view reading = claim.inputs.at("x"), names = claim.inputs.at("kernels");
+  const std::string_view reading = claim.inputs.at("x");
+  const std::vector<std::string> names = items_of(claim.inputs.at("kernels"));
   std::vector<KernelContest> contests;
   bool is_known = true;
   for (const double k : parse_sweep(claim.inputs.at("exponents"))) {
     const LobeRule rule(k);
-    contests.push_back({k, candidates(rule, names, reading)});
+    contests.push_back({k, {candidate(rule, spherical_gaussian, reading)}});
+    for (const std::string& name : names)
+      contests.back().candidates.push_back(candidate(rule, name, reading));
     is_known = is_known && is_sure(rule, contests.back());
   }
   const auto won = std::ranges::count_if(
@@ -323,18 +255,12 @@ Finding other_kernels(const Claim& claim) {
       is_known ? std::optional(verdict_of_cases(static_cast<std::size_t>(won), contests.size()))
                : std::nullopt,
       fmt::format("smallest at {} of {}", won, counted(of, "exponent")),
-      fmt::format(
-          "{} from {:.6g} to {:.6g} were tried, with x read as the {}; the smallest rms error is {}. Among the "
-          "kernels that need neither the angle nor a series, it is that of {} at {} of them. The rms errors "
-          "at k "
-          "= {} are: {}. As a ratio, {}. The instructions in a shader are: {}. The series needs this many "
-          "terms "
-          "for an error within 1/255: {}, {}. Two quadrature rules agree on the squared errors to {:.1g}, "
-          "relative",
-          counted(of, "exponent"), first.exponent, last.exponent, reading, winners_in_words(contests),
-          spherical_gaussian, wins_of_the_cosine(contests, reading), claim.inputs.at("shown"),
-          errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))), ratio_in_words(last, reading),
-          costs(), terms_to_see(first), terms_to_see(last), agreement_of_rules),
+      told(claim, Told{"exponents_tried", counted(of, "exponent")},
+           Told{"winners", winners_in_words(contests)}, Told{"wins", wins_of_the_cosine(contests, reading)},
+           Told{"errors", errors_in_words(contests, parse_sweep(claim.inputs.at("shown")))},
+           Told{"ratio", ratio_in_words(last, reading)}, Told{"costs", costs()},
+           Told{"first_terms", terms_to_see(first)}, Told{"last_terms", terms_to_see(last)},
+           Told{"agreement", agreement_of_rules}),
       sentences({sentence(effect_of(first.candidates[0], first.exponent), "the lobe",
                           fmt::format("at k = {:.6g} {}", first.exponent, spherical_gaussian)),
                  first.winner().name == spherical_gaussian

@@ -8,7 +8,7 @@
 #include "approx/lobe_laws.hpp"
 #include "fit/ledger/lobes/exponents.hpp"
 #include "fit/ledger/lobes/lobe_errors.hpp"
-#include "fit/ledger/lobes/offset_range.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -126,12 +126,10 @@ Finding plain_accurate(const Claim& claim) {
       worst(parts),
       fmt::format("accurate above = {}, poor below = {}, bad up to = {}", start(is_accurate), end(is_poor),
                   end(powers.where)),
-      fmt::format(
-          "{} the largest absolute error of x = {:.4g} is at most {:.3g} {}. It is above {:.3g} {}. It is "
-          "within one 8-bit sRGB code {}. For large k it is {:.4g}/k. {}",
-          looked_at(exponents), offset, accurate, sentence(is_accurate, exponents), poor,
-          sentence(is_poor, exponents), sentence(is_a_code, exponents), largest_error_law(offset),
-          powers.words),
+      told(claim, Told{"looked_at", looked_at(exponents)},
+           Told{"is_accurate", sentence(is_accurate, exponents)},
+           Told{"is_poor", sentence(is_poor, exponents)}, Told{"is_a_code", sentence(is_a_code, exponents)},
+           Told{"law", largest_error_law(offset)}, Told{"bad_powers", powers.words}),
       sentence(effect_of_gaussian(above, offset), "the curve", fmt::format("at k = {:.4g} the form", above))};
 }
 
@@ -189,12 +187,9 @@ Finding plain_peak(const Claim& claim) {
   });
   return {
       verdict_of(holds), fmt::format("c > 1 - {:.4g}/k as k grows", law.limit),
-      fmt::format(
-          "x = 0 is closer than x = {:.4g} from the peak down to c = {}. Below that c it is farther. At that c "
-          "and the last power k(1-c) is {:.6g}; for large k it is {:.4g} - {:.4g}/k. Between that c and the "
-          "peak the largest error of x = 0 is smaller: in 8-bit sRGB codes by {}, and by {}",
-          offset, enumerated(words), t, law.limit, -law.slope, gain_in_codes(sides.front()),
-          gain_in_codes(sides.back())),
+      told(claim, Told{"cosines", enumerated(words)}, Told{"t", t}, Told{"limit", law.limit},
+           Told{"slope", -law.slope}, Told{"first_gain", gain_in_codes(sides.front())},
+           Told{"last_gain", gain_in_codes(sides.back())}),
       sentences(
           {sentence(
                most.plain, "the curve",
@@ -241,23 +236,19 @@ Finding offset_one_low(const Claim& claim) {
   const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
                          verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
   const std::string x = fmt::format("x = {:.4g}", offset);
-  return {
-      worst(parts),
-      fmt::format("{} fits low powers {}; it can be dropped {}", x, sentence(fits, low),
-                  sentence(gap.is_subtle, high)),
-      fmt::format(
-          "{} the largest absolute error of {} is {:.3g} at k = {:.4g}, {:.3g} at {:.4g}, where the post "
-          "uses it, and {:.3g} at {:.4g}. It is at most {:.3g} {}, and at most {:.3g} {}. For higher "
-          "powers, {}, the form is within one 8-bit sRGB code {}. Without the +1 the curve changes by less "
-          "than {:.3g} {}, by at most {:.3g} from k = {:.4g} on, and by at most one code {}",
-          looked_at(low), x, error(low_from), low_from, error(used_at), used_at, error(low_to), low_to,
-          nicely, sentence(fits, low), accurate, sentence(is_accurate, low), looked_at(high),
-          sentence(is_a_code, high), subtle, sentence(gap.is_subtle, high), gap.at(high_from), high_from,
-          sentence(gap.is_a_code, high)),
-      sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
-                          fmt::format("at k = {:.4g} the form with {}", used_at, x)),
-                 sentence(effect_of_offset(high_from, offset, 0), "the curve",
-                          fmt::format("at k = {:.4g} dropping it", high_from))})};
+  return {worst(parts),
+          fmt::format("{} fits low powers {}; it can be dropped {}", x, sentence(fits, low),
+                      sentence(gap.is_subtle, high)),
+          told(claim, Told{"looked_at", looked_at(low)}, Told{"low_error", error(low_from)},
+               Told{"error", error(used_at)}, Told{"high_error", error(low_to)},
+               Told{"fits", sentence(fits, low)}, Told{"is_accurate", sentence(is_accurate, low)},
+               Told{"looked_higher", looked_at(high)}, Told{"is_a_code", sentence(is_a_code, high)},
+               Told{"is_subtle", sentence(gap.is_subtle, high)}, Told{"gap", gap.at(high_from)},
+               Told{"gap_is_a_code", sentence(gap.is_a_code, high)}),
+          sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
+                              fmt::format("at k = {:.4g} the form with {}", used_at, x)),
+                     sentence(effect_of_offset(high_from, offset, 0), "the curve",
+                              fmt::format("at k = {:.4g} dropping it", high_from))})};
 }
 
 Finding offset_matters(const Claim& claim) {
@@ -283,10 +274,8 @@ Finding offset_matters(const Claim& claim) {
   return {
       verdict_of_cases(static_cast<std::size_t>(held), gaps.size()),
       fmt::format("all three differ subtly from k = {:.4g} on", start),
-      fmt::format(
-          "{} these pairs of forms differ by less than {:.3g}: {}. All three pairs do so from k = {:.4g} on. "
-          "The same pairs, in the same order, differ by at most one 8-bit sRGB code {}",
-          looked_at(exponents), subtle, enumerated(words), start, enumerated(codes)),
+      told(claim, Told{"looked_at", looked_at(exponents)}, Told{"pairs", enumerated(words)},
+           Told{"start", start}, Told{"codes", enumerated(codes)}),
       sentence(effect_of_offset(from, widest.low, widest.high), "the curve",
                fmt::format("at k = {:.4g} going from x = {:.4g} to {:.4g}", from, widest.low, widest.high))};
 }

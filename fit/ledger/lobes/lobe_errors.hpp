@@ -1,12 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "approx/lobe.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/errors/extremum.hpp"
 #include "fit/quadrature/metric.hpp"
 
-/// The error of the Spherical Gaussian exp((k+x)(c-1)) against c^k, and its difference from another offset.
+/// The error of the Spherical Gaussian exp((k+x)(c-1)) against c^k, its difference from another offset, and
+/// the range of the best offset over all exponents.
 namespace shadefit {
 
 /// The largest |exp((k+x)(c-1)) - c^k| over c in [0, 1], k > 0.
@@ -45,5 +49,26 @@ Effect effect_of_gaussian(double exponent, double offset);
 
 /// The effect of using one offset for another.
 Effect effect_of_offset(double exponent, double from, double to);
+
+/// The best offset over all exponents, under one measure.
+struct OffsetRange {
+  Measure measure;
+  double lowest, lowest_at;    ///< of the sweep
+  double highest, highest_at;  ///< of the sweep and between its exponents
+  double blunt_slope;          ///< x = blunt_slope k for k -> 0
+  ApproachLaw<double> law;     ///< and as k grows
+  bool laws_hold;              ///< at both ends of the sweep the fits agree with the laws
+
+  /// For every k. The best offset of blunt lobes tends to 0. That is the greatest lower bound, because no x
+  /// of the sweep is below it.
+  bool is_within(double low, double high) const {
+    return std::min(lowest, 0.0) >= low && std::max(highest, law.limit) <= high;
+  }
+};
+
+/// For the least-squares fits at the rising exponents, and between them. Empty if a fit does not converge.
+std::optional<OffsetRange> offset_range(Measure measure, const std::vector<double>& exponents);
+
+std::string sentence(const OffsetRange& range);
 
 }  // namespace shadefit

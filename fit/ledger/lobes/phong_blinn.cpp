@@ -8,6 +8,7 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/errors/extremum.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -180,10 +181,8 @@ Finding angle(const Claim& claim) {
   return {
       is_known ? std::optional(verdict) : std::nullopt,
       fmt::format("{:.10g}, but only with n, l and v in one plane", middle),
-      fmt::format(
-          "with n, l and v in one plane, every {} degrees, the Phong angle is {:.10g} times the Blinn "
-          "angle (to {:.1g}). In all other cases it is less. {}",
-          claim.inputs.at("step"), middle, angle_tolerance, out_of_the_plane(claim, views)),
+      told(claim, Told{"middle", middle}, Told{"tolerance", angle_tolerance},
+           Told{"elsewhere", out_of_the_plane(claim, views)}),
       sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
                fmt::format("seen from {:.4g} degrees the lobe of twice the Blinn angle", worst_view.angle))};
 }

@@ -10,6 +10,7 @@
 #include "fit/errors/effect.hpp"
 #include "fit/fit.hpp"
 #include "fit/ledger/formats.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/ledger/where.hpp"
 #include "fit/quadrature/integrate.hpp"
@@ -87,13 +88,8 @@ Finding sharpness_of_offset(const Claim& claim) {
 Finding one_term_at_one(const Claim& claim) {
   const double value = fresnel_one_term(1.0, given(claim, "A")), f0 = given(claim, "f0");
   const double best = optimum("fresnel-one-term")[0];
-  return {
-      judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
-      fmt::format(
-          "exp2(-{}) is {:.10g}. For the unrounded optimum A = {:.10g} it is {:.10g}. (1-c)^5 is 0 there. "
-          "F of f0 = {:.3g} becomes {:.6g}",
-          claim.inputs.at("A"), value, best, fresnel_one_term(1.0, best), f0, schlick_reflectance(f0, value)),
-      effect_at_normal(value, f0)};
+  return {judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
+          told(claim, Told{"best", best}), effect_at_normal(value, f0)};
 }
 
 Finding quadratic_at_one(const Claim& claim) {
@@ -105,28 +101,22 @@ Finding quadratic_at_one(const Claim& claim) {
   const double of_printed = given(claim, "exp2(-A) as printed") / number_of(claim.printed[0].value);
   const std::array parts{judge(claim.printed[0].value, {"", value}, {}).verdict,
                          judge(claim.printed[1].value, {"", ratio}, {}).verdict};
-  return {
-      worst(parts), fmt::format("value = {:.10g}, ratio = {:.10g}", value, ratio),
-      fmt::format(
-          "exp2(a + b) of the printed pair is {:.10g} ({}). exp2(-A) is {:.10g} times that, which rounds "
-          "to {:.6g} ({}). The unrounded optima give {:.10g} and {:.10g}. The quotient of the values as "
-          "printed, {}/{}, is {:.6g}; cut off after the point it is {:.6g}. F of f0 = {:.3g} is {:.6g} at c "
-          "= 1",
-          value, name(parts[0]), ratio, std::round(ratio), name(parts[1]), best, best_ratio,
-          claim.inputs.at("exp2(-A) as printed"), claim.printed[0].value, of_printed, std::trunc(of_printed),
-          f0, schlick_reflectance(f0, value)),
-      effect_at_normal(value, f0)};
+  return {worst(parts), fmt::format("value = {:.10g}, ratio = {:.10g}", value, ratio),
+          told(claim, Told{"verdict", name(parts[0])}, Told{"ratio_verdict", name(parts[1])},
+               Told{"best", best}, Told{"best_ratio", best_ratio},
+               Told{"exp2_a", claim.inputs.at("exp2(-A) as printed")}, Told{"of_printed", of_printed}),
+          effect_at_normal(value, f0)};
 }
 
 /// The absolute bound on the difference of both rules and on their estimates, for the integrals below.
 constexpr double rms_tolerance = 1e-10;
 
-/// The errors of a form against (1-c)^5, for each meaning of "worse".
+/// The errors of a form against (1-c)^5 for each meaning of "worse": the rms under each measure, the largest,
+/// and the largest relative one of F.
 struct Distance {
-  std::array<double, measures.size()> rms{};
+  std::vector<double> readings = {};
   double uncertainty = 0;  ///< of the rms values, absolute: both rules' estimates and their difference
-  Extremum absolute;
-  Extremum relative;
+  std::string words = {};
 };
 
 /// sqrt(integral of w e^2 / integral of w) over the angle, where w is the weight of the measure, by one of
@@ -153,55 +143,42 @@ std::array<double, 2> rms_and_error(const Error& error, Measure measure) {
 template <class Form>
 Distance distance_from_schlick(const Form& form, double f0) {
   const auto error = [&]<class T>(const T& c) { return T(T(form(c)) - schlick_weight(c)); };
-  Distance distance{.absolute = largest_over_cosine(error),
-                    .relative = largest_over_cosine(relative_error(form, f0))};
-  for (std::size_t i = 0; i < measures.size(); ++i) {
-    const auto [rms, doubt] = rms_and_error(error, measures[i]);
-    distance.rms[i] = rms;
+  Distance distance;
+  std::vector<std::string> words;
+  for (const Measure measure : measures) {
+    const auto [rms, doubt] = rms_and_error(error, measure);
+    distance.readings.push_back(rms);
     distance.uncertainty = std::max(distance.uncertainty, doubt);
+    words.push_back(fmt::format("rms {:.4g} ({})", rms, name(measure)));
   }
+  const auto add = [&](const Extremum& largest, std::string_view of) {
+    distance.readings.push_back(largest.magnitude);
+    words.push_back(
+        fmt::format("at most {:.4g}{} (c = {:.4g})", largest.magnitude, of, largest.at.cos_theta));
+  };
+  add(largest_over_cosine(error), "");
+  add(largest_over_cosine(relative_error(form, f0)), " of F");
+  distance.words = enumerated(words);
   return distance;
 }
 
-std::string sentence_of(const Distance& d) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < measures.size(); ++i)
-    parts.push_back(fmt::format("rms {:.4g} ({})", d.rms[i], name(measures[i])));
-  parts.push_back(fmt::format("at most {:.4g} (c = {:.4g})", d.absolute.magnitude, d.absolute.at.cos_theta));
-  parts.push_back(
-      fmt::format("at most {:.4g} of F (c = {:.4g})", d.relative.magnitude, d.relative.at.cos_theta));
-  return enumerated(parts);
+/// In how many readings `one` is further away than `other`.
+std::size_t readings_worse(const Distance& one, const Distance& other) {
+  std::size_t worse = 0;
+  for (std::size_t i = 0; i < one.readings.size(); ++i) worse += one.readings[i] > other.readings[i] ? 1 : 0;
+  return worse;
 }
 
-/// The number of meanings in which one form is further away than the other, and whether the first is among
-/// them.
-struct Ranking {
-  int worse = 0;
-  int readings = 0;
-  bool is_worse_in_first = false;
-  bool is_sure = true;  ///< the integrals are accurate enough to be compared
-};
-
-Ranking compare(const Distance& one, const Distance& other) {
-  Ranking result;
-  const auto read = [&](double a, double b) {
-    result.is_worse_in_first = result.readings == 0 ? a > b : result.is_worse_in_first;
-    result.is_sure = result.is_sure && (a == b || std::abs(a - b) > 2 * rms_tolerance);
-    result.worse += a > b ? 1 : 0;
-    ++result.readings;
-  };
-  for (std::size_t i = 0; i < measures.size(); ++i) read(one.rms[i], other.rms[i]);
-  read(one.absolute.magnitude, other.absolute.magnitude);
-  read(one.relative.magnitude, other.relative.magnitude);
-  result.is_sure = result.is_sure && std::max(one.uncertainty, other.uncertainty) <= rms_tolerance;
-  return result;
-}
-
-std::optional<Verdict> verdict_of_comparison(const Ranking& c) {
-  if (!c.is_sure) return std::nullopt;
-  if (c.worse == c.readings) return Verdict::confirmed;
-  if (c.is_worse_in_first) return Verdict::conditional;
-  return c.worse > 0 ? Verdict::other_objective : Verdict::refuted;
+/// Whether `one` is further away; empty where the integrals are not accurate enough to compare.
+std::optional<Verdict> verdict_of_comparison(const Distance& one, const Distance& other) {
+  const bool is_sure = std::ranges::equal(one.readings, other.readings, [](double a, double b) {
+    return a == b || std::abs(a - b) > 2 * rms_tolerance;
+  });
+  if (!is_sure || std::max(one.uncertainty, other.uncertainty) > rms_tolerance) return std::nullopt;
+  const std::size_t worse = readings_worse(one, other);
+  if (worse == one.readings.size()) return Verdict::confirmed;
+  if (one.readings.front() > other.readings.front()) return Verdict::conditional;
+  return worse > 0 ? Verdict::other_objective : Verdict::refuted;
 }
 
 Finding power_four(const Claim& claim) {
@@ -211,24 +188,19 @@ Finding power_four(const Claim& claim) {
   const auto gaussian = one_term(given(claim, "A"));
   const Distance of_power = distance_from_schlick(power_form, f0);
   const Distance of_gaussian = distance_from_schlick(gaussian, f0);
-  const Ranking comparison = compare(of_power, of_gaussian);
+  const std::size_t worse = readings_worse(of_power, of_gaussian), readings = of_power.readings.size();
   const auto closer = where_negative([&](double c) {
     const double target = schlick_weight(c);
     return std::abs(power_form(c) - target) - std::abs(gaussian(c) - target);
   });
   const std::string name_of_power = fmt::format("(1-c)^{}", n);
-  return {
-      verdict_of_comparison(comparison),
-      fmt::format("{} of {} readings", comparison.worse, comparison.readings),
-      fmt::format(
-          "{0} is further from (1-c)^5 in {1} of {2} readings. The errors of {0} are {3}. The errors of "
-          "exp2(-{5} c) "
-          "are {4}. Two quadrature rules agree on each rms to {6:.1g}. But at some angles {0} is closer: {7}",
-          name_of_power, comparison.worse, comparison.readings, sentence_of(of_power),
-          sentence_of(of_gaussian), claim.inputs.at("A"), rms_tolerance, ranges_in_words(closer, 4)),
-      sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
-                          name_of_power),
-                 sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
+  return {verdict_of_comparison(of_power, of_gaussian), fmt::format("{} of {} readings", worse, readings),
+          told(claim, Told{"worse", worse}, Told{"readings", readings}, Told{"of_power", of_power.words},
+               Told{"of_gaussian", of_gaussian.words}, Told{"tolerance", rms_tolerance},
+               Told{"closer", ranges_in_words(closer, 4)}),
+          sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
+                              name_of_power),
+                     sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
 }
 
 Finding relative_errors(const Claim& claim) {
@@ -241,22 +213,18 @@ Finding relative_errors(const Claim& claim) {
   const double ratio = small.magnitude / large.magnitude;
   const double small_codes = largest_code_shift(pair, f0), large_codes = largest_code_shift(single, f0);
   const auto closer = where_negative([&](double c) { return std::abs(of_single(c)) - std::abs(of_pair(c)); });
-  return {
-      verdict_of(ratio <= far_smaller), decimal(ratio, 4),
-      fmt::format(
-          "the largest relative error of F is {:.4g} (c = {:.4g}) with the pair (a, b) and {:.4g} (c = {:.4g}) "
-          "with exp2(-{} c): {:.3g} times as much. We read 'far smaller' as: at most {} times as large. But "
-          "at some angles the one-term form is closer: {}. In 8-bit sRGB codes the pair (a, b) is off by up to "
-          "{:.3g} and the one-term form by up to {:.3g}. Within one code: {}",
-          small.magnitude, small.at.cos_theta, large.magnitude, large.at.cos_theta, claim.inputs.at("A"),
-          1 / ratio, claim.inputs.at("far smaller"), ranges_in_words(closer, 4), small_codes, large_codes,
-          small_codes > 1 && large_codes > 1     ? "neither"
-          : small_codes <= 1 && large_codes <= 1 ? "both"
-          : small_codes <= 1                     ? "the pair"
-                                                 : "the one-term form"),
-      sentences(
-          {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
-           sentence(effect_on_reflectance(pair, f0), "it", "the pair (a, b)")})};
+  return {verdict_of(ratio <= far_smaller), decimal(ratio, 4),
+          told(claim, Told{"pair", small.magnitude}, Told{"pair_at", small.at.cos_theta},
+               Told{"single", large.magnitude}, Told{"single_at", large.at.cos_theta},
+               Told{"closer", ranges_in_words(closer, 4)}, Told{"pair_codes", small_codes},
+               Told{"single_codes", large_codes},
+               Told{"within", small_codes > 1 && large_codes > 1     ? "neither"
+                              : small_codes <= 1 && large_codes <= 1 ? "both"
+                              : small_codes <= 1                     ? "the pair"
+                                                                     : "the one-term form"}),
+          sentences(
+              {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
+               sentence(effect_on_reflectance(pair, f0), "it", "the pair (a, b)")})};
 }
 
 Finding exponent_sum(const Claim& claim) {
@@ -266,11 +234,7 @@ Finding exponent_sum(const Claim& claim) {
   const std::string_view printed = claim.printed[0].value;
   const Verdict verdict = judge(printed, {"", sum}, {}).verdict;
   const Verdict of_best = judge(printed, {"", best}, {}).verdict;
-  return {verdict, decimal(sum, 10),
-          fmt::format(
-              "a + b is {:.10g} for the printed pair. For the unrounded optimum it is {:.10g}: the printed "
-              "number is {} for that too",
-              sum, best, name(of_best)),
+  return {verdict, decimal(sum, 10), told(claim, Told{"best", best}, Told{"verdict", name(of_best)}),
           effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum), "at c = 1 it")};
 }
 
@@ -320,14 +284,10 @@ Finding roughness_range(const Claim& claim) {
   const HalfExcess half = excess_in_half(steps);
   return {
       verdict_of(stays), stays ? "stays within" : fmt::format("leaves it by {:.4g}", outside),
-      fmt::format(
-          "over c = {} .. {} the weight (1-c)^5 runs from {:.6g} to {:.6g}. At {} pairs of f0 and g, F {}. "
-          "At the {} pairs with g <= f0 the reflectance does not rise at all. In half arithmetic rounding "
-          "lifts F above max(g, f0) at {} pairs, by at most {:.2g} ulps of a half float",
-          claim.inputs.at("from"), claim.inputs.at("to"), highest, lowest, pairs,
-          stays ? fmt::format("stays within [f0, max(g, f0)] up to rounding, {:.2g}", rounding)
-                : fmt::format("leaves [f0, max(g, f0)] by up to {:.4g}", outside),
-          flat, half.pairs, half.ulps),
+      told(claim, Told{"pairs", pairs},
+           Told{"stays", stays ? fmt::format("stays within [f0, max(g, f0)] up to rounding, {:.2g}", rounding)
+                               : fmt::format("leaves [f0, max(g, f0)] by up to {:.4g}", outside)},
+           Told{"flat", flat}, Told{"half_pairs", half.pairs}, Told{"half_ulps", half.ulps}),
       stays ? "none" : sentence(effect, "F", "beyond its range it")};
 }
 

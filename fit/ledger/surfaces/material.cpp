@@ -1,17 +1,105 @@
-#include "approx/material.hpp"
-
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "approx/encoding.hpp"
+#include "approx/fresnel.hpp"
+#include "approx/material.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
+
+/// The relative tolerance of quadrature: sums of a few parts of size 1 are then accurate to 1e-12.
+constexpr double mean_tolerance = 1e-14;
+constexpr double mean_rounding = 1e-12;
+
+/// The mean over the hemisphere of f(F), with Schlick's F at each direction, weighted by the cosine: the
+/// integral of f 2c dc by Gauss-Kronrod, the difference to tanh-sinh as its error.
+template <class F>
+Integral hemisphere_mean(const F& f, double f0) {
+  const auto integrand = [&](double c) { return f(schlick_reflectance(f0, schlick_weight(c))) * 2 * c; };
+  const Integral first = gauss_kronrod(integrand, 0, 1, mean_tolerance);
+  const Integral second = tanh_sinh(integrand, 0, 1, mean_tolerance);
+  return {first.value, std::abs(first.value - second.value)};
+}
+
+/// The sum of both reflections as a line in F of the one fixed direction, F = f0 (normal) .. 1 (grazing).
+struct Sum {
+  double at_normal, at_grazing, under_sky, error;
+};
+
+/// `factor_of(F_fixed, F_other)`.
+template <class Factor>
+Sum sum_of(const Factor& factor_of, double albedo, double f0) {
+  double error = 0;
+  const auto sum = [&](double fixed) {
+    const Integral mean = hemisphere_mean([&](double other) { return factor_of(fixed, other); }, f0);
+    error = std::max(error, mean.error);
+    return fixed + albedo * mean.value;
+  };
+  const double at_normal = sum(f0), at_grazing = sum(1);
+  const Integral sky = hemisphere_mean(sum, f0);
+  return {at_normal, at_grazing, sky.value, std::max(error, sky.error)};
+}
+
+/// The smallest cosine such that the sum is at most 1 from there to c = 1; above 1 if there is none. The sum
+/// is linear in F, so it is 1 at one weight w of Schlick's formula between normal (w = 0) and grazing (w =
+/// 1), and c = 1 - w^(1/5).
+double from_cosine(const Sum& sum) {
+  if (sum.at_normal > 1 + mean_rounding) return 2;
+  if (sum.at_grazing <= 1 + mean_rounding) return 0;
+  const double weight = (1 - sum.at_normal) / (sum.at_grazing - sum.at_normal);
+  return 1 - (weight < mean_rounding ? 0 : std::pow(weight, 0.2));
+}
+
+template <class Factor>
+DiffuseUnderFresnel both_ways(double albedo, double f0) {
+  const Sum from_light =
+      sum_of([&](double in, double out) { return Factor::factor(in, out, f0); }, albedo, f0);
+  const Sum towards_view =
+      sum_of([&](double out, double in) { return Factor::factor(in, out, f0); }, albedo, f0);
+  return {std::max(from_light.at_normal, towards_view.at_normal),
+          std::max(from_light.at_grazing, towards_view.at_grazing),
+          from_light.under_sky,  // the same light, summed in another order
+          std::max(from_light.error, towards_view.error),
+          std::max(from_cosine(from_light), from_cosine(towards_view))};
+}
+
+std::string where_it_holds(const DiffuseUnderFresnel& found) {
+  if (found.from_cosine > 1) return "above 1 at every angle";
+  if (found.from_cosine == 0) return "at most 1 at every angle";
+  if (found.from_cosine == 1) return "at most 1 only at normal incidence";
+  return fmt::format("at most 1 for cosines above {:.4g}", found.from_cosine);
+}
+
+std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& found) {
+  return fmt::format(
+      "with {} the sum is {:.6g} at normal and {:.6g} at grazing incidence, {}, and {:.6g} under a uniform "
+      "sky",
+      factor, found.at_normal, found.at_grazing, where_it_holds(found), found.under_sky);
+}
+
+/// The effect of the stand-in, by the reflected light of both under a uniform sky.
+std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
+  return effect_of_factor(stand_in, factor,
+                          fmt::format("under a uniform sky {} instead of {}", claim.inputs.at("stand-in"),
+                                      claim.inputs.at("factor")));
+}
+
+Verdict verdict_on(const DiffuseUnderFresnel& found) {
+  return found.from_cosine == 0  ? Verdict::confirmed
+         : found.from_cosine > 1 ? Verdict::refuted
+                                 : Verdict::conditional;
+}
 
 /// Over every pair of codes, an sRGB-encoded base colour and a linear metallic.
 struct Census {
@@ -57,22 +145,17 @@ Finding metallic_workflow(const Claim& claim) {
   const double f0 = number_of(claim.printed[0].value);
   const int codes = static_cast<int>(given(claim, "codes"));
   const Census census = census_of(f0, codes);
-  const double brightest = brightest_base_colour(f0, 0.0), most = 1 + f0;
+  const double brightest = brightest_base_colour(f0, 0.0);
   const std::string text(claim.printed[0].value);
   const Verdict verdict = f0 <= 0 ? Verdict::confirmed : f0 > 1 ? Verdict::refuted : Verdict::conditional;
   const long pairs = static_cast<long>(codes) * codes;
   return {
       census.above_one == census.beyond_brightest ? std::optional(verdict) : std::nullopt,
       fmt::format("only for c <= 1 - {} (1-m)", text),
-      fmt::format(
-          "albedo + F0 = c + {} (1-m) is at most 1 exactly where c <= 1 - {} (1-m). Up to c = {:.4g} (code "
-          "{:.4g}) that is true at every m. For a larger c it is true only for m >= 1 - (1-c)/{}. The "
-          "largest sum is "
-          "{:.4g} at c = 1, m = 0: a white dielectric at normal incidence. Among the {} pairs of codes (c, "
-          "m) {} have "
-          "a sum above 1{}, as many as the closed form says",
-          text, text, brightest, srgb_code(brightest), text, most, pairs, census.above_one,
-          census.above_one > 0 ? fmt::format(", from colour code {} on", census.first_colour) : ""),
+      told(claim, Told{"brightest", brightest}, Told{"brightest_code", srgb_code(brightest)},
+           Told{"pairs", pairs}, Told{"above_one", census.above_one},
+           Told{"from_colour",
+                census.above_one > 0 ? fmt::format(", from colour code {} on", census.first_colour) : ""}),
       effect_of_clamp(f0, codes)};
 }
 
@@ -98,17 +181,42 @@ Finding workflow_channels(const Claim& claim) {
     return verdict_of(number_of(printed.value) == channels.sum);
   };
   const std::array verdicts{judged(claim.printed[0], specular), judged(claim.printed[1], metallic)};
-  return {
-      worst(verdicts), fmt::format("specular = {}, metallic = {}", specular.sum, metallic.sum),
-      fmt::format(
-          "specular workflow: {}, in all {} channels. Metallic workflow: {}, in all {}, {} fewer; {} with "
-          "one more map, {}",
-          specular.sentence, specular.sum, metallic.sentence, metallic.sum, specular.sum - metallic.sum,
-          metallic.sum + more.sum, more.sentence),
-      "none"};
+  return {worst(verdicts), fmt::format("specular = {}, metallic = {}", specular.sum, metallic.sum),
+          told(claim, Told{"specular", specular.sum}, Told{"metallic", metallic.sum},
+               Told{"more", metallic.sum + more.sum}),
+          "none"};
 }
 
 }  // namespace
+
+DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo, double f0) {
+  const auto is = [&]<class Factor>(Factor) { return factor == Factor::name; };
+  if (is(TransmittedBothWays{})) return both_ways<TransmittedBothWays>(albedo, f0);
+  if (is(TransmittedIn{})) return both_ways<TransmittedIn>(albedo, f0);
+  if (is(TransmittedAtNormal{})) return both_ways<TransmittedAtNormal>(albedo, f0);
+  if (is(Unattenuated{})) return both_ways<Unattenuated>(albedo, f0);
+  throw std::invalid_argument(fmt::format("not a factor of the diffuse term: '{}'", factor));
+}
+
+Finding diffuse_fresnel(const Claim& claim) {
+  const double albedo = given(claim, "albedo"), f0 = given(claim, "f0");
+  const auto under = [&](std::string_view name) {
+    return diffuse_under_fresnel(claim.inputs.at(name), albedo, f0);
+  };
+  const auto factor = under("factor"), stand_in = under("stand-in"), beside = under("beside");
+  const std::array verdicts{verdict_on(factor), verdict_on(stand_in)};
+  const bool is_known = std::max({factor.error, stand_in.error, beside.error}) <= mean_rounding;
+  const auto share = [](const DiffuseUnderFresnel& found) {
+    return decimal(std::max(found.at_normal, found.at_grazing), 6);
+  };
+  return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
+          fmt::format("at most {} as stated and {} with the stand-in", share(factor), share(stand_in)),
+          told(claim, Told{"as_stated", part_sentence(claim.inputs.at("factor"), factor)},
+               Told{"stand_in_sum", part_sentence(claim.inputs.at("stand-in"), stand_in)},
+               Told{"beside_sum", part_sentence(claim.inputs.at("beside"), beside)},
+               Told{"rounding", mean_rounding}),
+          effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
+}
 
 std::vector<Evaluator> material_evaluators() {
   return {{"metallic-workflow", metallic_workflow},

@@ -66,10 +66,6 @@ std::optional<Verdict> judged(const Furthest& distance) {
   return verdict_of(distance.relative <= promised);
 }
 
-double value_of(std::string_view formula) {
-  return evaluate<double>(parse_formula(formula, {}), [](const std::string&) { return 0.0; });
-}
-
 Furthest area_distance(Distribution distribution, const Widths& widths, double printed) {
   Furthest worst;
   for (const double r : widths.roughness) {
@@ -94,7 +90,7 @@ template <Distribution distribution>
 Finding normalised(const Claim& claim) {
   const Widths widths(claim);
   const std::string_view printed = claim.printed[0].value;
-  const double expected = value_of(printed);
+  const auto expected = in_50_digits(parse_formula(printed, {})).convert_to<double>();
   const Furthest worst = area_distance(distribution, widths, expected);
   return {judged(worst), decimal(worst.integral, 10), area_evidence(worst, widths, printed),
           judged(worst) == Verdict::confirmed
@@ -150,22 +146,22 @@ std::vector<double> angles_of(const Claim& claim) {
 
 /// G1 times the visible area over v.n at every roughness and view.
 struct MaskingTable {
-  std::vector<std::vector<double>> ratios;  ///< by roughness, then by view
-  Furthest worst;                           ///< from 1
+  std::vector<std::string> at_flattest_view = {};  ///< by roughness
+  Furthest worst = {};                             ///< from 1
 };
 
 MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::vector<double>& angles) {
   MaskingTable table;
   for (const double r : widths.roughness) {
     const double alpha = widths.alpha(r);
-    table.ratios.emplace_back();
+    double ratio = 0;
     for (const double degrees : angles) {
       const View view(degrees);
       const TwoWays area = integrate_visible_area(pair.distribution, alpha, view, microfacet_tolerance);
-      const double ratio = masking(pair.masking, view, alpha) * area.value() / view.direction.cosine;
-      table.ratios.back().push_back(ratio);
+      ratio = masking(pair.masking, view, alpha) * area.value() / view.direction.cosine;
       consider(table.worst, {std::abs(ratio - 1), ratio, r, degrees, area.error() / area.value()});
     }
+    table.at_flattest_view.push_back(decimal(ratio, 4));
   }
   return table;
 }
@@ -200,16 +196,13 @@ Finding masked_by_its_own(const Claim& claim) {
           holds ? "none" : effect_of_masking(worst, claim.inputs.at("distribution"))};
 }
 
-/// The end of the range in which f is at most 0, from a list of places and values: the last place if it
-/// always is, else a root of f between the two places where the sign changes; nothing if f is above 0 at the
-/// first place.
-std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places,
-                                  const std::vector<double>& values) {
-  const auto above = std::ranges::find_if(values, [](double value) { return value > 0; });
-  if (above == values.end()) return places.back();
-  const auto i = static_cast<std::size_t>(above - values.begin());
-  if (i == 0) return std::nullopt;
-  return root_between(f, places[i - 1], places[i], values[i - 1], values[i], 30);
+/// The end of the range in which f is at most 0: the last place if it is so at all places, else a root of f
+/// between the two where the sign changes; nothing if f is above 0 at the first.
+std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places) {
+  const auto above = std::ranges::find_if(places, [&](double place) { return f(place) > 0; });
+  if (above == places.end()) return places.back();
+  if (above == places.begin()) return std::nullopt;
+  return root_between(f, *(above - 1), *above, 30);
 }
 
 /// The range in which a borrowed masking is within `allowed`: up to a roughness for every view, and up to a
@@ -220,9 +213,10 @@ struct LoanRange {
 };
 
 LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<double>& angles,
-                   const MaskingTable& table, double allowed) {
+                   double allowed) {
   // |G1 times the visible area over v.n, less 1|, by one rule
   const auto error_at = [&](double r, double degrees) {
+    if (degrees == 0) return -allowed;  // along the normal nothing is masked
     const double alpha = widths.alpha(r);
     const View view(degrees);
     const double area =
@@ -239,17 +233,9 @@ LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<dou
     for (const double r : widths.roughness) most = std::max(most, error_at(r, degrees));
     return most;
   };
-  std::vector<double> views{0};  // along the normal nothing is masked
+  std::vector<double> views{0};
   views.insert(views.end(), angles.begin(), angles.end());
-  std::vector<double> by_roughness(widths.roughness.size(), -allowed), by_view(views.size(), -allowed);
-  for (std::size_t i = 0; i < by_roughness.size(); ++i) {
-    for (std::size_t j = 0; j < angles.size(); ++j) {
-      const double error = std::abs(table.ratios[i][j] - 1) - allowed;
-      by_roughness[i] = std::max(by_roughness[i], error);
-      by_view[j + 1] = std::max(by_view[j + 1], error);
-    }
-  }
-  return {holds_up_to(at_roughness, widths.roughness, by_roughness), holds_up_to(at_view, views, by_view)};
+  return {holds_up_to(at_roughness, widths.roughness), holds_up_to(at_view, views)};
 }
 
 std::string words(const LoanRange& range, const Widths& widths, double allowed) {
@@ -264,13 +250,6 @@ std::string words(const LoanRange& range, const Widths& widths, double allowed) 
                    allowed, by_view, widths.roughness.front());
 }
 
-/// "1, 1.003 and 1.77": the ratios at the flattest view, by roughness.
-std::string at_flattest_view(const MaskingTable& table) {
-  std::vector<std::string> ratios;
-  for (const auto& row : table.ratios) ratios.push_back(decimal(row.back(), 4));
-  return enumerated(ratios);
-}
-
 /// One borrowed masking: its verdict, its largest error and the range in which it is good enough.
 Finding loan(std::string_view distribution, const Claim& claim) {
   const Widths widths(claim);
@@ -280,7 +259,7 @@ Finding loan(std::string_view distribution, const Claim& claim) {
   const MaskingTable table = masking_table(pair, widths, angles);
   const Furthest& worst = table.worst;
   const double accurate = given(claim, "accurate"), code = change_of_one_code();
-  const LoanRange range = range_of(pair, widths, angles, table, accurate);
+  const LoanRange range = range_of(pair, widths, angles, accurate);
   const Verdict verdict = worst.relative <= accurate            ? Verdict::confirmed
                           : range.roughness || range.view_angle ? Verdict::conditional
                                                                 : Verdict::refuted;
@@ -292,9 +271,9 @@ Finding loan(std::string_view distribution, const Claim& claim) {
           "{} with the G1 of {} gives {} times v.n at these roughnesses, seen from {:.6g} degrees. The worst "
           "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, "
           "the ratio is {}",
-          distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness,
+          distribution, lender, enumerated(table.at_flattest_view), angles.back(), ratio, worst.roughness,
           worst.view_angle, words(range, widths, accurate),
-          words(range_of(pair, widths, angles, table, code), widths, code)),
+          words(range_of(pair, widths, angles, code), widths, code)),
       effect_of_masking(worst, distribution)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -13,10 +14,10 @@
 #include "fit/integrals/normalisation_check.hpp"
 #include "fit/integrals/reflectance.hpp"
 #include "fit/ledger/formats.hpp"
+#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/scalars/jet.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
@@ -64,22 +65,17 @@ std::string at_exponent(double value, std::optional<double> exponent) {
   return fmt::format("{:.10g}{}", value, exponent ? fmt::format(" at a = {:.6g}", *exponent) : "");
 }
 
-/// The unit of a constant, as a number and as text.
-struct Unit {
-  double value = 1;
-  std::string text = {};
-};
-
 /// A printed constant and 1 over the integral of its lobe, times a unit. Throws std::domain_error if the
 /// formula has no finite value.
-Finding against_integrals(const Claim& claim, const PrintedConstant& printed, const Unit& unit = {}) {
+Finding against_integrals(const Claim& claim, const PrintedConstant& printed,
+                          std::string_view unit_text = {}) {
+  const double unit = unit_text.empty() ? 1 : PrintedConstant(unit_text).at(1.0);
   const auto exponents = exponents_of(claim);
   const auto checks = check_normalisation(record_of(claim), exponents);
   double furthest = -1, error = 0;
   const NormalisationCheck* worst_check = nullptr;
   for (const NormalisationCheck& check : checks) {
-    const double difference =
-        std::abs(printed.at(check.exponent.value_or(1)) / (unit.value * check.integral) - 1);
+    const double difference = std::abs(printed.at(check.exponent.value_or(1)) / (unit * check.integral) - 1);
     if (!std::isfinite(difference))
       throw std::domain_error(fmt::format("{} has no finite value", printed.text()));
     error = std::max(error, check.estimated_error);
@@ -89,14 +85,14 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, co
   }
   Finding finding;
   finding.verdict = judge_normalisation(furthest, error);
-  finding.computed = at_exponent(unit.value * checks.front().integral, checks.front().exponent);
+  finding.computed = at_exponent(unit * checks.front().integral, checks.front().exponent);
   if (checks.size() > 1)
     finding.computed +=
-        fmt::format(", {}", at_exponent(unit.value * checks.back().integral, checks.back().exponent));
-  const double exact = unit.value * worst_check->integral;
+        fmt::format(", {}", at_exponent(unit * checks.back().integral, checks.back().exponent));
+  const double exact = unit * worst_check->integral;
   finding.evidence =
       fmt::format("{}1 over the integral of '{}'",
-                  unit.text.empty() ? "" : fmt::format("{} times ", unit.text), record_of(claim).lobe);
+                  unit_text.empty() ? "" : fmt::format("{} times ", unit_text), record_of(claim).lobe);
   finding.evidence +=
       furthest <= normalisation_tolerance
           ? fmt::format(" is {} to better than {:.1g}", printed.text(), normalisation_tolerance)
@@ -198,14 +194,11 @@ class CheapRatio {
  public:
   explicit CheapRatio(const PrintedConstant& printed) : printed_(printed) {}
 
-  template <class T>
-  T operator()(const T& log2_alpha) const {
-    const T alpha = exp2(log2_alpha);
-    return printed_.at(alpha) / BlinnPhongBrdfLobe::constant(alpha) - integer<T>(1);
+  double operator()(double log2_alpha) const {
+    const double alpha = exp2(log2_alpha);
+    return printed_.at(alpha) / BlinnPhongBrdfLobe::constant(alpha) - 1;
   }
-
   double distance(double log2_alpha) const { return std::abs((*this)(log2_alpha)); }
-  double slope(double log2_alpha) const { return (*this)(ceres::Jet<double, 1>(log2_alpha, 0)).v[0]; }
 
  private:
   const PrintedConstant& printed_;
@@ -215,17 +208,17 @@ constexpr double grid_first = -10, grid_last = 20, grid_step = 0.125;
 
 constexpr unsigned root_bits = 45;
 
-/// The place where the stand-in is furthest from the exact constant: the worst of a grid, refined to a root
-/// of the slope.
+/// The place where the stand-in is furthest from the exact constant: the worst of a grid, refined between its
+/// neighbours to half of the digits of a double.
 double furthest_place(const CheapRatio& ratio) {
   double place = grid_first;
   for (double x = grid_first; x <= grid_last; x += grid_step) {
     if (ratio.distance(x) > ratio.distance(place)) place = x;
   }
-  const double left = place - grid_step, right = place + grid_step;
-  if (place == grid_first || place == grid_last || !(ratio.slope(left) * ratio.slope(right) < 0))
-    return place;
-  return root_between([&](double x) { return ratio.slope(x); }, left, right, root_bits);
+  if (place == grid_first || place == grid_last) return place;
+  return boost::math::tools::brent_find_minima([&](double x) { return -ratio.distance(x); },
+                                               place - grid_step, place + grid_step, 27)
+      .first;
 }
 
 /// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`.
@@ -303,23 +296,21 @@ Finding cheap_constant(const Claim& claim) {
   return {
       error <= reflectance_tolerance ? std::optional(verdict) : std::nullopt,
       fmt::format("up to {:.10g} times the exact constant", 1 + ratio(place)),
-      fmt::format(
-          "the ratio of {} to {} (1 over the integral of the lobe, at {}) is furthest from 1 at a = {:.6g}, by "
-          "{:.6g}, which is {}{:.4g}. {}. {}. Energy that it creates, over {} degrees: at {}",
-          printed.text(), BlinnPhongBrdfLobe::record.printed, range_in_words(exponents, "exponent"),
-          std::exp2(place), furthest, furthest <= close ? "within " : "not within ", close,
-          within_one_code(ratio, place), closest_in_words(ratio, place, low),
-          range_in_words(views_of(claim), "view angle"), energy_in_words(curves)),
+      told(claim, Told{"exact", BlinnPhongBrdfLobe::record.printed},
+           Told{"exponents_tried", range_in_words(exponents, "exponent")}, Told{"place", std::exp2(place)},
+           Told{"furthest", furthest}, Told{"is_within", furthest <= close ? "within " : "not within "},
+           Told{"one_code", within_one_code(ratio, place)},
+           Told{"closest", closest_in_words(ratio, place, low)},
+           Told{"views", range_in_words(views_of(claim), "view angle")},
+           Told{"energy", energy_in_words(curves)}),
       effect_of_factor(1 + ratio(place), 1, fmt::format("at a = {:.3g} it", std::exp2(place)))};
 }
 
 /// The quarter of the distribution's constant, and the same in a game's light unit.
 Finding microfacet_constant(const Claim& claim) {
-  const std::string_view text = claim.inputs.at("light unit");
-  const Unit unit{evaluate<double>(parse_formula(text, {}), [](const std::string&) { return 0.0; }),
-                  std::string(text)};
   const Finding plain = constant_alone(claim);
-  const Finding in_unit = against_integrals(claim, PrintedConstant(claim.printed[1].value), unit);
+  const Finding in_unit =
+      against_integrals(claim, PrintedConstant(claim.printed[1].value), claim.inputs.at("light unit"));
   return {worst(std::array{plain.verdict, in_unit.verdict}),
           fmt::format("{}; {}", plain.computed, in_unit.computed),
           sentences({plain.evidence, in_unit.evidence}),

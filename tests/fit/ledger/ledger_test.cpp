@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "approx/ledger/ledger.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {
@@ -16,7 +15,7 @@ namespace {
 
 TEST(Ledger, IdsStandOnceAndRecordsAreComplete) {
   std::set<std::string_view> ids;
-  for (const Topic& topic : ledger) {
+  for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       EXPECT_TRUE(ids.insert(claim.id).second) << claim.id << " stands twice";
       EXPECT_FALSE(claim.statement.empty() || claim.derivation.empty()) << claim.id;

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/table/writers.hpp"
 
@@ -48,7 +48,7 @@ TEST(StatementMathematics, RefusesWhatCannotBeRead) {
 
 std::vector<JudgedClaim> unjudged_claims() {
   std::vector<JudgedClaim> all;
-  for (const Topic& part : ledger) {
+  for (const Topic& part : ledger()) {
     for (const Claim& record : part.claims) all.push_back({&part, &record, {}});
   }
   return all;

@@ -1,12 +1,11 @@
 #include "approx/dither.hpp"
-#include "approx/ledger/dither.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
-#include "fit/ledger/lobes/march.hpp"
+#include "fit/ledger/colour/march.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
@@ -14,41 +13,6 @@ namespace shadefit {
 namespace {
 
 constexpr const char* matrix_of_twos = "0 0.5 / 0.75 x";
-
-TEST(DitherClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(dither_claims, {{"bayer-4x4", "printed 0", "0.25"},
-                                  {"bayer-4x4", "printed 0", "0.26"},
-                                  {"bayer-4x4", "matrix", matrix_of_twos},
-                                  {"march-steps", "printed 0", "5 10 15 25 50 75 75"},
-                                  // 10 dithered steps of the printed matrix are as good as 150.3 plain ones
-                                  {"march-steps", "printed 1", "151"},
-                                  // and 7 of them, before the blur, as good as 9.85 plain ones
-                                  {"march-steps", "printed 2", "7"},
-                                  {"march-steps", "matrix", matrix_of_twos},
-                                  {"march-steps", "x", "0.24"},
-                                  {"bilateral-epsilon", "printed 0", "0.036"},
-                                  {"bilateral-epsilon", "printed 0", "0"},
-                                  {"bilateral-epsilon", "taps", "9"},
-                                  {"bilateral-epsilon", "falloff", "0.1"},
-                                  {"bilateral-epsilon", "visible codes", "2"},
-                                  {"bilateral-epsilon", "second reading", "0.25"}});
-}
-
-TEST(DitherClaims, VerdictsOfBothSides) {
-  const Claim& steps = *find_claim("march-steps");
-  EXPECT_EQ(verdict_of(with_printed(steps, 1, "150")), "conditional") << "blurred they beat 150, not before";
-  EXPECT_EQ(verdict_of(with_printed(steps, 1, "14")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(steps, 1, "15")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(steps, 1, "151")), "refuted");
-  EXPECT_EQ(verdict_of(with_printed(steps, 0, "10 5")), "refuted");
-  // Two wrong entries: the others do not determine x.
-  EXPECT_EQ(verdict_of(with_input(steps, "matrix", "0 0.51 / 0.75 x")), "undecided");
-  EXPECT_EQ(verdict_of(with_input(*find_claim("bayer-4x4"), "matrix", "0 0.51 / 0.75 x")), "refuted");
-  // W = 4 loses a code from epsilon = 4 (1/q - 1), q = ((254/255 + 0.055)/1.055)^2.4 = 0.991102: 0.03591
-  const Claim& epsilon = *find_claim("bilateral-epsilon");
-  EXPECT_EQ(verdict_of(with_printed(epsilon, 0, "0.0359")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(epsilon, 0, "0.0360")), "refuted");
-}
 
 TEST(Bayer, RanksArePermutationsAndTheKnownMatrix) {
   const int known[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};

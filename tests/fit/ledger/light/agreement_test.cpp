@@ -1,4 +1,4 @@
-#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/agreement.hpp"
 
 #include <gtest/gtest.h>
 

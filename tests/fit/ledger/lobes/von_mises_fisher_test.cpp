@@ -1,5 +1,4 @@
 #include "approx/von_mises_fisher.hpp"
-#include "approx/ledger/von_mises_fisher.hpp"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -12,31 +11,6 @@ namespace shadefit {
 namespace {
 
 using testing::is_close;
-
-TEST(VonMisesFisherClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(von_mises_fisher_claims, {{"vmf-normalisation", "printed 0", "1.001"},
-                                            {"vmf-normalisation", "printed 0", "2"},
-                                            {"vmf-normalisation", "exponents", "0.001,1,1000"},
-                                            {"vmf-large-k", "printed 0", "1.9"},
-                                            {"vmf-large-k", "about", "0.01"},
-                                            {"vmf-large-k", "no longer about", "0.1"},
-                                            {"vmf-large-k", "y", "0.5,1.5"}});
-}
-
-TEST(VonMisesFisherClaims, TheThresholdIsCrossed) {
-  const Claim& claim = *find_claim("vmf-large-k");
-  // e^(-2k) = 1/50 at k = ln(50)/2 = 1.95601..
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.957")), "confirmed");
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.955")), "conditional");
-  EXPECT_EQ(verdict_of(with_input(claim, "about", "0.018")), "conditional") << "2 leaves 0.0183";
-  // e^(-2k) = 1/20 at k = ln(20)/2 = 1.4978..
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.498")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.497")), "refuted");
-  const Claim strict = with_input(claim, "about", "0.01");
-  EXPECT_EQ(verdict_of(with_input(strict, "no longer about", "0.018")), "refuted") << "2 leaves 0.0183";
-  EXPECT_EQ(verdict_of(with_input(strict, "no longer about", "0.019")), "conditional");
-  EXPECT_EQ(verdict_of(with_printed(strict, 0, "3")), "confirmed");
-}
 
 // The robust form is the printed one, beyond where a double could hold e^k.
 TEST(VonMisesFisher, BothFormsAreOne) {

@@ -1,5 +1,4 @@
 #include "approx/fresnel.hpp"
-#include "approx/ledger/fresnel.hpp"
 
 #include "fit/ledger/where.hpp"
 #include "fit/scalars/multiprecision.hpp"
@@ -8,72 +7,6 @@
 
 namespace shadefit {
 namespace {
-
-TEST(FresnelClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(fresnel_claims, {{"fresnel-one-term", "printed 0", "8.37"},
-                                   {"fresnel-one-term", "x", "0.8"},
-                                   {"fresnel-one-term", "from", "0.1"},
-                                   {"fresnel-one-term", "to", "0.9"},
-                                   {"fresnel-one-term-at-1", "printed 0", "0.004"},
-                                   {"fresnel-one-term-at-1", "A", "8.3"},
-                                   {"fresnel-one-term-at-1", "f0", "0.05"},
-                                   {"fresnel-quadratic", "printed 0", "-5.55437"},
-                                   {"fresnel-quadratic", "printed 1", "-6.983146"},
-                                   {"fresnel-quadratic", "from", "0.1"},
-                                   {"fresnel-quadratic", "to", "0.9"},
-                                   {"fresnel-quadratic-at-1", "printed 0", "0.000178"},
-                                   {"fresnel-quadratic-at-1", "printed 1", "18"},
-                                   {"fresnel-quadratic-at-1", "printed 1", "16"},
-                                   {"fresnel-quadratic-at-1", "a", "-5.6"},
-                                   {"fresnel-quadratic-at-1", "b", "-7"},
-                                   {"fresnel-quadratic-at-1", "A", "8.656170"},
-                                   {"fresnel-quadratic-at-1", "exp2(-A) as printed", "0.0031"},
-                                   {"fresnel-quadratic-at-1", "f0", "0.05"},
-                                   {"fresnel-offset-one", "printed 0", "8.656180"},
-                                   {"fresnel-offset-one", "from", "0.1"},
-                                   {"fresnel-offset-one", "to", "0.9"},
-                                   {"fresnel-power-four", "power", "5"},
-                                   {"fresnel-power-four", "A", "8.656170"},
-                                   {"fresnel-power-four", "f0", "0.05"},
-                                   {"fresnel-relative-error", "a", "-5.6"},
-                                   {"fresnel-relative-error", "b", "-7"},
-                                   {"fresnel-relative-error", "A", "8.35"},
-                                   {"fresnel-relative-error", "f0", "0.05"},
-                                   {"fresnel-relative-error", "far smaller", "0.2"},
-                                   {"fresnel-exponent-sum", "printed 0", "-12.53780"},
-                                   {"fresnel-exponent-sum", "a", "-5.55437"},
-                                   {"fresnel-exponent-sum", "b", "-6.983146"},
-                                   {"fresnel-roughness", "from", "-0.1"},
-                                   {"fresnel-roughness", "to", "2.5"},
-                                   {"fresnel-roughness", "steps", "15"}});
-}
-
-TEST(FresnelClaims, EveryDigitMatters) {
-  for (const char* id :
-       {"fresnel-one-term", "fresnel-one-term-at-1", "fresnel-quadratic", "fresnel-exponent-sum"})
-    check_every_digit(*find_claim(id));
-}
-
-// The other side of each comparison.
-TEST(FresnelClaims, ComparisonsCanTurnOut) {
-  const Claim& four = *find_claim("fresnel-power-four");
-  EXPECT_EQ(verdict_of(four), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(four, "power", "5")), "refuted") << "(1-c)^5 itself is no worse";
-  EXPECT_EQ(verdict_of(with_input(four, "A", "1")), "refuted") << "nor is anything worse than exp2(-c)";
-  // Blunter or sharper than the best: different meanings give different answers.
-  EXPECT_EQ(verdict_of(with_input(four, "A", "7.2")), "conditional");
-  EXPECT_EQ(verdict_of(with_input(four, "A", "11")), "other-objective");
-
-  const Claim& relative = *find_claim("fresnel-relative-error");
-  EXPECT_EQ(verdict_of(relative), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(relative, "far smaller", "0.2")), "refuted");
-  EXPECT_EQ(verdict_of(with_input(relative, "a", "0")), "refuted");
-
-  const Claim& roughness = *find_claim("fresnel-roughness");
-  EXPECT_EQ(verdict_of(roughness), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(roughness, "from", "-0.001")), "refuted") << "without its saturate";
-  EXPECT_EQ(verdict_of(with_input(roughness, "to", "1.5")), "refuted");
-}
 
 TEST(FresnelClaims, SeventeenIsTheQuotientOfThePrintedValuesCutOff) {
   const Finding finding = evaluate(*find_claim("fresnel-quadratic-at-1"));

@@ -1,5 +1,4 @@
 #include "approx/material.hpp"
-#include "approx/ledger/material.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,79 +13,6 @@
 
 namespace shadefit {
 namespace {
-
-TEST(MaterialClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(material_claims,
-                  {{"chart-dielectric", "printed 0", "0.025"},
-                   {"chart-dielectric", "printed 1", "0.064"},
-                   {"chart-dielectric", "from code", "41"},
-                   {"chart-dielectric", "to code", "74"},
-                   {"chart-dielectric", "convention", "gamma 1.8"},
-                   {"chart-dielectric", "other conventions", "gamma 2.2"},
-                   {"chart-metal", "printed 0", "0.39"},
-                   {"chart-metal", "printed 1", "0.7"},
-                   {"chart-metal", "from code", "154"},
-                   {"chart-metal", "to code", "254"},
-                   {"chart-metal", "convention", "gamma 1.8"},
-                   {"chart-metal", "other conventions", "gamma 2.2"},
-                   {"chart-range-typo", "printed 0", "0.063"},
-                   {"chart-range-typo", "printed 1", "0.067"},
-                   {"chart-range-typo", "code", "71"},
-                   {"chart-range-typo", "convention", "gamma 1.8"},
-                   {"chart-range-typo", "other conventions", "gamma 2.2"},
-                   {"chart-overlap", "dielectric codes", "38, 75"},
-                   {"chart-overlap", "common dielectrics", "0.03, 0.05"},
-                   {"chart-overlap", "metal codes", "200, 255"},
-                   {"chart-overlap", "common metals", "0.2, 1"},
-                   {"chart-overlap", "convention", "gamma 2.2"},
-                   {"chart-overlap", "other conventions", "gamma 1.8"},
-                   {"middle-grey", "printed 0", "186"},
-                   {"middle-grey", "linear", "0.4"},
-                   {"middle-grey", "not", "127"},
-                   {"middle-grey", "photographic grey", "0.2"},
-                   {"middle-grey", "convention", "gamma 2.2"},
-                   {"middle-grey", "other conventions", "gamma 2.2"},
-                   {"metallic-workflow", "printed 0", "0"},
-                   {"metallic-workflow", "printed 0", "1.1"},
-                   {"metallic-workflow", "codes", "128"},
-                   {"workflow-channels", "printed 0", "6"},
-                   {"workflow-channels", "printed 1", "9"},
-                   {"workflow-channels", "specular maps", "albedo 3, specular 1, roughness 1"},
-                   {"workflow-channels", "metallic maps", "base colour 3, metallic 1"},
-                   {"workflow-channels", "one more map", "emission 3"},
-                   {"diffuse-fresnel", "factor", "1"},
-                   {"diffuse-fresnel", "stand-in", "1-F_i"},
-                   {"diffuse-fresnel", "beside", "1"},
-                   {"diffuse-fresnel", "albedo", "0.5"},
-                   {"diffuse-fresnel", "f0", "0.02"}});
-}
-
-TEST(MaterialClaims, EveryDigitOfWhatIsConfirmedMatters) {
-  for (const char* id : {"chart-metal", "workflow-channels"}) check_every_digit(*find_claim(id));
-}
-
-TEST(MaterialClaims, VerdictsOfBothSides) {
-  const Claim& chart = *find_claim("chart-dielectric");
-  // sRGB's own values: by hand, ((40/255 + 0.055)/1.055)^2.4 = 0.02121901 and of 75 0.07036010.
-  EXPECT_EQ(verdict_of(with_printed(with_printed(chart, 0, "0.021"), 1, "0.070")), "confirmed");
-  // Without the slip of 256 no listed convention gives 0.067: 0.0677 rounds to 0.068.
-  EXPECT_EQ(verdict_of(with_input(chart, "other conventions", "gamma 2.2")), "refuted");
-  const Claim& overlap = *find_claim("chart-overlap");
-  EXPECT_EQ(verdict_of(with_input(overlap, "common dielectrics", "0.0213, 0.05")), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(overlap, "common dielectrics", "0.016, 0.05")), "conditional");
-  EXPECT_EQ(verdict_of(with_input(overlap, "common dielectrics", "0.1, 0.2")), "refuted");
-  const Claim& energy = *find_claim("diffuse-fresnel");
-  EXPECT_EQ(verdict_of(with_input(energy, "stand-in", "(1-F_i)(1-F_o)")), "confirmed");
-  EXPECT_EQ(verdict_of(with_input(energy, "stand-in", "1")), "refuted");
-  // A black surface reflects F alone.
-  EXPECT_EQ(verdict_of(with_input(energy, "albedo", "0")), "confirmed");
-}
-
-TEST(MaterialClaims, TheRangeGivenTwiceIsRightWhereBothAgree) {
-  const Claim& twice = *find_claim("chart-range-typo");
-  EXPECT_EQ(verdict_of(twice), "refuted");
-  EXPECT_EQ(verdict_of(with_printed(twice, 1, "0.066")), "rounding");
-}
 
 TEST(Metallic, LosesAndGainsNothingAtItsEnds) {
   EXPECT_EQ(metallic_albedo(0.75, 0.0), 0.75);

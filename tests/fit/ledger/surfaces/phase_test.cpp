@@ -1,5 +1,4 @@
 #include "approx/phase.hpp"
-#include "approx/ledger/phase.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -11,21 +10,6 @@
 
 namespace shadefit {
 namespace {
-
-TEST(PhaseClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(phase_claims,
-                  {{"hg-normalisation", "printed 0", "2"}, {"hg-normalisation", "g", "-0.5, 0, 0.5"}});
-}
-
-TEST(PhaseClaims, EveryDigitMatters) {
-  check_every_digit(*find_claim("hg-normalisation"));
-}
-
-TEST(PhaseClaims, EndsWhereTheFunctionDoes) {
-  // At g = 1 all the light goes on unscattered: there is no density to integrate.
-  for (const char* g : {"0.5, 1", "-1", "1.5"})
-    EXPECT_THROW(evaluate(with_input(*find_claim("hg-normalisation"), "g", g)), std::invalid_argument) << g;
-}
 
 TEST(HenyeyGreenstein, RobustFormIsThePlainOne) {
   for (const char* g : {"-0.999", "-0.5", "0", "0.2", "0.9", "0.9999"}) {

@@ -1,0 +1,188 @@
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "approx/phase.hpp"
+#include "approx/von_mises_fisher.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/told.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/quadrature/substitution.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The allowed difference of the rules from the closed form and from each other: their tolerance is 1e-13,
+/// and sums of about a hundred ordinates, each with a few roundings, stay within ten times that.
+constexpr double phase_agreement = 1e-12;
+
+/// The integral over the sphere by two rules, each in its own variable; the error includes their difference.
+/// Over the angle: the printed form, with the sign of g, in long double, where 1 + g^2 - 2 g c keeps 13
+/// digits for |g| = 0.999. From the peak on: the robust form of |g|, with the sphere turned over for a
+/// negative g.
+Integral over_the_sphere(double signed_g) {
+  if (!(std::abs(signed_g) < 1)) throw std::invalid_argument("g has to lie between -1 and 1, both excluded");
+  const double around = 2 * pi<double>();
+  const auto in_angle = [&](double theta) {
+    const long double wide = theta;
+    return static_cast<double>(around * std::sin(wide) *
+                               henyey_greenstein(std::cos(wide), static_cast<long double>(signed_g)));
+  };
+  const Integral by_angle = tanh_sinh(in_angle, 0, pi<double>(), 1e-13);
+  const double g = std::abs(signed_g);
+  if (g == 0) return by_angle;  // no peak
+  // 1-c = width (e^s - 1): from the peak on, the base grows by e every unit of s.
+  const double width = (1 - g) * (1 - g) / (2 * g);
+  const auto stretched = [&](double s) {
+    return around * henyey_greenstein_near_peak(width * std::expm1(s), g) * width * std::exp(s);
+  };
+  const Integral by_stretch = gauss_kronrod(stretched, 0, std::log1p(2 / width), 1e-13);
+  return {by_stretch.value, std::max(by_stretch.error, std::abs(by_stretch.value - by_angle.value))};
+}
+
+/// The printed form in single precision at every other degree, with the peak scaled to 1.
+Effect effect_in_single(float g) {
+  const auto exact = static_cast<double>(g);
+  const double peak = henyey_greenstein_near_peak(0.0, exact);
+  Effect effect;
+  for (int degrees = 0; degrees <= 180; degrees += 2) {
+    const double theta = degrees * pi<double>() / 180, half_sine = std::sin(theta / 2);
+    const auto cosine = static_cast<float>(std::cos(theta));
+    effect.show(henyey_greenstein_near_peak(2 * half_sine * half_sine, exact) / peak,
+                static_cast<double>(henyey_greenstein(cosine, g)) / peak,
+                {{"theta = ", static_cast<double>(degrees), " degrees"}, {"g = ", exact}});
+  }
+  return effect;
+}
+
+/// The relative error at the peak, where the printed form cancels most, of a value found in single precision.
+double error_at_peak(float found, float g) {
+  return std::abs(static_cast<double>(found) / henyey_greenstein_near_peak(0.0, static_cast<double>(g)) - 1);
+}
+
+Finding phase_normalisation(const Claim& claim) {
+  const std::vector<double> anisotropies = numbers_of(claim.inputs.at("g"));
+  std::vector<std::optional<Verdict>> verdicts;
+  double apart = 0, closed = 0;
+  for (const double g : anisotropies) {
+    const Integral found = over_the_sphere(g);
+    closed = henyey_greenstein_within(2.0, std::abs(g));
+    apart = std::max({apart, found.error, std::abs(found.value - closed)});
+    verdicts.push_back(judge_known_to(claim.printed[0].value, closed, phase_agreement));
+  }
+  const auto [least, most] = std::ranges::minmax_element(anisotropies);
+  const auto magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double sharpest = std::abs(*std::ranges::max_element(anisotropies, magnitude));
+  const auto single = static_cast<float>(sharpest);
+  const double off = error_at_peak(henyey_greenstein(1.0F, single), single);
+  const double robust = error_at_peak(henyey_greenstein_near_peak(0.0F, single), single);
+  constexpr double roundings = 6e-7;  // ten roundings of a float, one for each operation of the form
+  return {
+      apart <= phase_agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
+      told(claim, Told{"closed", closed}, Told{"values", counted(std::ssize(anisotropies), "value")},
+           Told{"least", *least}, Told{"most", *most},
+           Told{"agree", apart <= phase_agreement ? fmt::format("to {:.1g}", phase_agreement)
+                                                  : fmt::format("no better than to {:.1g}", apart)},
+           Told{"peak", henyey_greenstein_near_peak(0.0, sharpest)}, Told{"sharpest", sharpest},
+           Told{"off", off},
+           Told{"robust", robust <= roundings ? "by roundings only" : fmt::format("by {:.2g}", robust)}),
+      sentence(effect_in_single(single), "a highlight of peak 1", "in single precision the printed form")};
+}
+
+/// The bound on the error of an integral that is 1, absolute: both rules, their estimates and the cut-off
+/// tail. The rules agree to 1e-14.
+constexpr double integral_tolerance = 1e-12;
+
+/// The integral of the density over the sphere: 2 pi dy over y = 1 - c in [0, 2], in t = k y.
+Integral integral_over_sphere(double concentration) {
+  const auto density = [&](double t) {
+    return 2 * pi<double>() * von_mises_fisher_near_peak(t / concentration, concentration) / concentration;
+  };
+  const double whole = 2 * concentration, end = std::min(whole, Substitution::decay);
+  const Integral one = gauss_kronrod(density, 0, end, 1e-14), other = tanh_sinh(density, 0, end, 1e-14);
+  // The rest is e^(-end) (1 - e^(end - 2k))/(1 - e^(-2k)), where there is one.
+  const double rest = end < whole ? std::exp(-end) : 0;
+  return {one.value, one.error + other.error + std::abs(one.value - other.value) + rest};
+}
+
+/// The largest k at which the printed formula is a finite number at its peak, halved down to a double.
+template <class T>
+double last_finite_concentration() {
+  return last_by_halving(1, 2048, 60, [](double k) {
+    return std::isfinite(static_cast<double>(von_mises_fisher(integer<T>(1), static_cast<T>(k))));
+  });
+}
+
+Finding normalisation(const Claim& claim) {
+  const double printed = number_of(claim.printed[0].value);
+  const auto concentrations = parse_sweep(claim.inputs.at("exponents"));
+  double furthest = printed, apart = 0, uncertainty = 0;
+  for (const double k : concentrations) {
+    const Integral integral = integral_over_sphere(k);
+    uncertainty = std::max(uncertainty, integral.error);
+    if (std::abs(integral.value - printed) >= apart) {
+      apart = std::abs(integral.value - printed);
+      furthest = integral.value;
+    }
+  }
+  const bool is_known = uncertainty <= integral_tolerance;
+  const bool is_equal = apart <= 2 * integral_tolerance;
+  return {is_known ? std::optional(verdict_of(is_equal)) : std::nullopt, decimal(furthest, 10),
+          told(claim, Told{"integral", furthest}, Told{"tolerance", integral_tolerance},
+               Told{"unequal", is_equal ? "" : ", which is not the printed number"},
+               Told{"half_end", last_finite_concentration<Eigen::half>()},
+               Told{"float_end", last_finite_concentration<float>()},
+               Told{"double_end", last_finite_concentration<double>()}),
+          effect_of_factor(printed, is_equal ? printed : furthest)};
+}
+
+/// The k from which on the relative error of the sharp form is at most `share`: e^(-2k) = share.
+double concentration_of_error(double share) {
+  return -std::log(share) / 2;
+}
+
+/// The largest relative error that shifts no colour by more than one 8-bit sRGB code.
+double share_of_one_code() {
+  return last_by_halving(0, 1, 53, [](double share) { return codes_of_factor(1 - share) <= 1; });
+}
+
+Finding sharp_density(const Claim& claim) {
+  const double k = number_of(claim.printed[0].value), about = given(claim, "about");
+  const double law = von_mises_fisher_sharp_error(k);
+  double apart = 0;  // the difference of the two densities' ratio from the law
+  for (const double y : parse_sweep(claim.inputs.at("y"))) {
+    const double ratio = von_mises_fisher_sharp(y, k) / von_mises_fisher(1 - y, k);
+    apart = std::max(apart, std::abs(ratio - 1 - law));
+  }
+  // Two exponentials and a few products, each rounded: about ten epsilons.
+  constexpr double rounding = 1e-14;
+  const double from = concentration_of_error(about), from_code = concentration_of_error(share_of_one_code());
+  // Of all k of the claim, the error is largest at the printed k.
+  const double least = concentration_of_error(given(claim, "no longer about"));
+  const Verdict verdict = k >= from    ? Verdict::confirmed
+                          : k >= least ? Verdict::conditional
+                                       : Verdict::refuted;
+  return {apart <= rounding ? std::optional(verdict) : std::nullopt,
+          fmt::format("relative error {:.4g} at k = {}", law, claim.printed[0].value),
+          told(claim, Told{"rounding", rounding}, Told{"one_code", from_code}),
+          effect_of_factor(1 + law, 1, fmt::format("at k = {:.4g} and any c it", k))};
+}
+
+}  // namespace
+
+/// Densities over the sphere, which integrate to 1.
+std::vector<Evaluator> density_evaluators() {
+  return {{"vmf-normalisation", normalisation},
+          {"vmf-large-k", sharp_density},
+          {"hg-normalisation", phase_normalisation}};
+}
+
+}  // namespace shadefit
