@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "app/commands/command_line.hpp"
-#include "app/terminal/interrupt.hpp"
-#include "app/terminal/print.hpp"
+#include "app/output/interrupt.hpp"
+#include "app/output/print.hpp"
 
 namespace {
 

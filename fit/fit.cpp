@@ -13,7 +13,7 @@
 #include "fit/family_visit.hpp"
 #include "fit/least_squares/error_scale.hpp"
 #include "fit/least_squares/least_squares.hpp"
-#include "fit/solve/solve.hpp"
+#include "fit/solve.hpp"
 
 namespace shadefit {
 namespace {

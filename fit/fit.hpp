@@ -12,7 +12,7 @@
 #include "fit/families/surface.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
-#include "fit/solve/solution.hpp"
+#include "fit/solution.hpp"
 
 /// One fit and its result, and the families that can be fitted.
 namespace shadefit {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fit/support/checkpoint.hpp"
-#include "lint/grade/grade.hpp"
+#include "lint/grade.hpp"
 #include "lint/known/known_set.hpp"
 #include "lint/scan/digit_index.hpp"
 #include "lint/scan/literals.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "lint/pins/pins.hpp"
+#include "lint/pins.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {

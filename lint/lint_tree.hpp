@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/support/parallel.hpp"
+#include "fit/input/parallel.hpp"
 #include "lint/lint_text.hpp"
 #include "lint/tree/source_tree.hpp"
 
@@ -36,7 +36,7 @@ struct LintedNumber {
   std::vector<NumberCopy> copies = {};  ///< the other components of a vector of this number
 };
 
-/// A site in a file, or a number that a mark pins to a constant (lint/pins/pins.hpp).
+/// A site in a file, or a number that a mark pins to a constant (lint/pins.hpp).
 struct LintedSite {
   std::string file;
   TextPlace begin, end;  ///< of its first number, and after its last

@@ -13,7 +13,7 @@
 #include "bench/forms/accuracy.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
-#include "fit/support/known.hpp"
+#include "fit/input/known.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"

@@ -1,6 +1,6 @@
 #include "app/commands/commands.hpp"
 #include "app/studies/find_study.hpp"
-#include "fit/support/known.hpp"
+#include "fit/input/known.hpp"
 #include "reports/rows/citation.hpp"
 
 namespace shadefit {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
+#include "app/output/progress.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "reports/table/writers.hpp"
 
@@ -13,7 +13,7 @@ namespace shadefit {
 
 /// Runs the command; `arguments` without the program's name. Reads and writes files, never a standard stream.
 /// Does not throw. `checkpoint` is called between the steps of long work. It may end the work by throwing
-/// Interrupted (app/terminal/interrupt.hpp). Then nothing is written, except by commands that keep a state
+/// Interrupted (app/output/interrupt.hpp). Then nothing is written, except by commands that keep a state
 /// and document it. `progress` shows the progress of the work.
 Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint = keep_going,
                          const Progress& progress = unwatched);

@@ -6,7 +6,7 @@
 #include "app/options/finding_format.hpp"
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
+#include "app/output/progress.hpp"
 
 /// The commands, each with its parsed options. Bad input throws UserError. Long work calls the checkpoint
 /// until its files are written, and shows its progress.

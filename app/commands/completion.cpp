@@ -9,7 +9,7 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
 #include "bench/forms/catalogue.hpp"
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/rows/citation.hpp"
 

@@ -9,7 +9,7 @@
 #include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
-#include "app/terminal/interrupt.hpp"
+#include "app/output/interrupt.hpp"
 
 namespace shadefit {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
+#include "app/output/progress.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// All commands and options of `shadefit`. The help, the man page and the completions are generated from

@@ -7,11 +7,11 @@
 
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
+#include "app/output/progress.hpp"
 #include "fit/better/better_study.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/study/study_file.hpp"
-#include "reports/check/baseline.hpp"
+#include "reports/findings/baseline.hpp"
 #include "reports/studies/study_rows.hpp"
 
 /// The commands for a study. Bad input throws UserError.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/options/bench_options.hpp"
-#include "bench/exhaustive/swept_form.hpp"
+#include "bench/forms/swept_form.hpp"
 #include "bench/tradeoff/timed_forms.hpp"
 
 /// What `bench` does on graphics devices. A build without SHADEFIT_DEVICE has only app/device/no_device.cpp,

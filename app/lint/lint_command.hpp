@@ -7,9 +7,9 @@
 
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
-#include "lint/fix/fixes.hpp"
-#include "lint/grade/grade.hpp"
+#include "app/output/progress.hpp"
+#include "lint/fixes.hpp"
+#include "lint/grade.hpp"
 #include "lint/lint_text.hpp"
 #include "lint/tree/source_language.hpp"
 #include "reports/findings/finding.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/options/outcome.hpp"
-#include "app/terminal/progress.hpp"
-#include "bench/exhaustive/float_errors.hpp"
+#include "app/output/progress.hpp"
+#include "bench/forms/float_errors.hpp"
 #include "reports/table/writers.hpp"
 
 namespace CLI {

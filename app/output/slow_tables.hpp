@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/terminal/progress.hpp"
+#include "app/output/progress.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "reports/io/files.hpp"
 #include "reports/rows/stress_tables.hpp"

@@ -7,9 +7,9 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/formula/formula_text.hpp"
-#include "fit/run/results.hpp"
-#include "fit/support/bounded_file.hpp"
-#include "fit/support/known.hpp"
+#include "fit/better/results.hpp"
+#include "fit/input/bounded_file.hpp"
+#include "fit/input/known.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

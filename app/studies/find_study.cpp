@@ -9,9 +9,9 @@
 #include <sstream>
 #include <utility>
 
-#include "fit/run/results.hpp"
-#include "fit/support/bounded_file.hpp"
-#include "fit/support/known.hpp"
+#include "fit/better/results.hpp"
+#include "fit/input/bounded_file.hpp"
+#include "fit/input/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/study_claims.hpp"
 #include "fit/verdicts/study_verdict.hpp"

@@ -10,7 +10,7 @@
 
 #include "app/options/study_options.hpp"
 #include "fit/support/decimal.hpp"
-#include "fit/support/toml_reader.hpp"
+#include "fit/input/toml_reader.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "fit/support/parallel.hpp"
+#include "fit/input/parallel.hpp"
 
 namespace shadefit::device {
 namespace {

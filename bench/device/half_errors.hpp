@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "bench/device/vulkan_device.hpp"
-#include "bench/exhaustive/float_errors.hpp"
+#include "bench/forms/float_errors.hpp"
 #include "fit/scalars/gpu_model.hpp"
 #include "reports/code/shader_code.hpp"
 

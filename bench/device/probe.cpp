@@ -13,7 +13,7 @@
 
 #include "bench/device/evaluator.hpp"
 #include "fit/stress/numbers.hpp"
-#include "fit/support/parallel.hpp"
+#include "fit/input/parallel.hpp"
 
 namespace shadefit::device {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fit/exp2/pair_for_exp2.hpp"
+#include "fit/pair_for_exp2.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/verdicts/refit.hpp"

@@ -10,7 +10,7 @@
 #include "bench/solver/benchmarks.hpp"
 #include "bench/solver/problems.hpp"
 #include "fit/families/families.hpp"
-#include "fit/support/parallel.hpp"
+#include "fit/input/parallel.hpp"
 
 namespace shadefit::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "bench/timing/timing.hpp"
+#include "bench/tradeoff/timing.hpp"
 #include "bench/tradeoff/timed_forms.hpp"
 
 /// Times forms on this processor.

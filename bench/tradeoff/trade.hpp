@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/timing/machine.hpp"
-#include "bench/timing/statistics.hpp"
+#include "bench/tradeoff/machine.hpp"
+#include "bench/tradeoff/statistics.hpp"
 
 /// Run time against error: the measurements of every form, and derived values.
 namespace shadefit::bench {

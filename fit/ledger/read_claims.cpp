@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "approx/ledger/catalogue.hpp"
-#include "fit/support/toml_reader.hpp"
+#include "approx/records/catalogue.hpp"
+#include "fit/input/toml_reader.hpp"
 
 namespace shadefit {
 namespace {

@@ -11,7 +11,7 @@
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/jet.hpp"
-#include "fit/solve/solve.hpp"
+#include "fit/solve.hpp"
 
 namespace shadefit {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/least_squares/least_squares.hpp"
-#include "fit/least_squares/linear_optimum.hpp"
+#include "fit/study_squares/linear_optimum.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 
 namespace shadefit {

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "approx/ledger/catalogue.hpp"
+#include "approx/records/catalogue.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
 

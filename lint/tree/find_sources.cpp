@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "fit/support/bounded_file.hpp"
+#include "fit/input/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/tree/git_files.hpp"

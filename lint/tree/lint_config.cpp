@@ -4,8 +4,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "fit/support/bounded_file.hpp"
-#include "fit/support/toml_reader.hpp"
+#include "fit/input/bounded_file.hpp"
+#include "fit/input/toml_reader.hpp"
 #include "lint/tree/git_files.hpp"
 
 namespace shadefit::lint {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "fit/support/bounded_file.hpp"
+#include "fit/input/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "lint/tree/source_tree.hpp"
 

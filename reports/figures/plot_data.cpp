@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "approx/ledger/catalogue.hpp"
+#include "approx/records/catalogue.hpp"
 
 namespace shadefit {
 

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "fit/support/bounded_file.hpp"
+#include "fit/input/bounded_file.hpp"
 
 namespace shadefit {
 namespace fs = std::filesystem;

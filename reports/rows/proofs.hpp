@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/run/fit_extras.hpp"
+#include "fit/better/fit_extras.hpp"
 #include "reports/table/table.hpp"
 
 /// The proofs of forms and fits, as rows and as JSON. Bounds are doubles, rounded outward. Their decimals

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/run/fit_extras.hpp"
+#include "fit/better/fit_extras.hpp"
 #include "reports/table/table.hpp"
 
 /// Rounded constants, as rows and as JSON.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 #include "reports/table/table.hpp"
 
 /// Results as rows: the tables with stable columns.

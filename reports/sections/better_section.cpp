@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/table/mathematics.hpp"
 #include "reports/table/writers.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/io/files.hpp"
 

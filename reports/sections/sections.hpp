@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/table/table.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "fit/support/json_document.hpp"
+#include "fit/input/json_document.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/own_fields.hpp"
 #include "reports/rows/fit_json.hpp"

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "fit/support/bounded_file.hpp"
+#include "fit/input/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "scene/files/messages.hpp"
 #include "scene/files/uri.hpp"

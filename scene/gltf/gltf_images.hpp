@@ -11,7 +11,7 @@
 
 #include "scene/files/bytes.hpp"
 #include "scene/files/json_place.hpp"
-#include "scene/textures/texture.hpp"
+#include "scene/materials/texture.hpp"
 
 /// The pictures of a glTF document: in a buffer, in a data URI or in a separate file.
 namespace shadefit::scene {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "fit/support/bounded_file.hpp"
-#include "fit/support/json_document.hpp"
+#include "fit/input/bounded_file.hpp"
+#include "fit/input/json_document.hpp"
 #include "scene/files/json_place.hpp"
 #include "scene/files/messages.hpp"
 #include "scene/files/uri.hpp"

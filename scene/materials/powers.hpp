@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/materials/material.hpp"
-#include "scene/textures/texture.hpp"
+#include "scene/materials/texture.hpp"
 
 /// Converts the roughness or gloss of files, a number or a texture, to specular powers.
 namespace shadefit::scene {

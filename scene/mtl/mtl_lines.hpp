@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/textures/texture.hpp"
+#include "scene/materials/texture.hpp"
 
 /// The relevant lines of a Wavefront .mtl file.
 namespace shadefit::scene {

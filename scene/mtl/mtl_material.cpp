@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "approx/fresnel.hpp"
-#include "fit/support/bounded_file.hpp"
+#include "fit/input/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "scene/files/messages.hpp"
 #include "scene/files/uri.hpp"

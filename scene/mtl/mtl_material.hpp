@@ -7,7 +7,7 @@
 
 #include "scene/materials/material.hpp"
 #include "scene/mtl/mtl_lines.hpp"
-#include "scene/textures/texture.hpp"
+#include "scene/materials/texture.hpp"
 
 /// Converts a material of Wavefront's format to one lobe.
 namespace shadefit::scene {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-#include "fit/support/bounded_file.hpp"
+#include "fit/input/bounded_file.hpp"
 #include "fit/support/lines.hpp"
 #include "fit/support/user_error.hpp"
 #include "scene/files/messages.hpp"

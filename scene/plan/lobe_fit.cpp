@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "approx/shading.hpp"
-#include "fit/least_squares/linear_optimum.hpp"
+#include "fit/study_squares/linear_optimum.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
 
 namespace shadefit::scene {

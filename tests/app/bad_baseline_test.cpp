@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/commands/command_line.hpp"
-#include "reports/check/baseline.hpp"
+#include "reports/findings/baseline.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"

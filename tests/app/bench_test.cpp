@@ -10,7 +10,7 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/options/bench_options.hpp"
-#include "app/terminal/interrupt.hpp"
+#include "app/output/interrupt.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/process.hpp"

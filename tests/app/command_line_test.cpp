@@ -12,7 +12,7 @@
 #include "approx/phong_blinn.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/sweep.hpp"
-#include "reports/check/baseline.hpp"
+#include "reports/findings/baseline.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/accuracy.hpp"

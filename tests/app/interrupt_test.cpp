@@ -1,4 +1,4 @@
-#include "app/terminal/interrupt.hpp"
+#include "app/output/interrupt.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/commands/command_line.hpp"
-#include "app/terminal/print.hpp"
+#include "app/output/print.hpp"
 #include "reports/io/files.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -9,10 +9,10 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/output/slow_tables.hpp"
-#include "app/terminal/interrupt.hpp"
-#include "app/terminal/progress.hpp"
+#include "app/output/interrupt.hpp"
+#include "app/output/progress.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/check/baseline.hpp"
+#include "reports/findings/baseline.hpp"
 #include "reports/rows/stress_tables.hpp"
 #include "tests/temporary_directory.hpp"
 

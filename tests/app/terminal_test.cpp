@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "app/commands/command_line.hpp"
-#include "app/terminal/interrupt.hpp"
+#include "app/output/interrupt.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/process.hpp"

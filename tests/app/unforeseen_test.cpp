@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "app/commands/command_line.hpp"
-#include "app/terminal/progress.hpp"
-#include "reports/check/baseline.hpp"
+#include "app/output/progress.hpp"
+#include "reports/findings/baseline.hpp"
 #include "reports/io/files.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/exhaustive/float_errors.hpp"
+#include "bench/forms/float_errors.hpp"
 
 namespace shadefit::bench {
 namespace {

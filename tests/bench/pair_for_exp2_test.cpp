@@ -1,4 +1,4 @@
-#include "fit/exp2/pair_for_exp2.hpp"
+#include "fit/pair_for_exp2.hpp"
 
 #include <gtest/gtest.h>
 

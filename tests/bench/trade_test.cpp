@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/timing/machine.hpp"
-#include "bench/timing/timing.hpp"
+#include "bench/tradeoff/machine.hpp"
+#include "bench/tradeoff/timing.hpp"
 #include "bench/tradeoff/compiled_code.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/commands/command_line.hpp"
-#include "bench/device/times/measure_device.hpp"
+#include "bench/device/measure_device.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/user_error.hpp"

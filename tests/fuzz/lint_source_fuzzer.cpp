@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fit/formula/parse_formula.hpp"
-#include "lint/fix/fixes.hpp"
+#include "lint/fixes.hpp"
 #include "lint/lint_tree.hpp"
 
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "lint/fix/fixes.hpp"
+#include "lint/fixes.hpp"
 #include "lint/scan/literals.hpp"
 #include "lint/scan/notation.hpp"
-#include "reports/lint/unified_diff.hpp"
+#include "reports/findings/unified_diff.hpp"
 
 /// Published digits in the notation of a file.
 namespace shadefit::lint {

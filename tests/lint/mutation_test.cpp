@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/fix/fixes.hpp"
+#include "lint/fixes.hpp"
 #include "lint/lint_tree.hpp"
 #include "lint/scan/characters.hpp"
 #include "tests/lint/all_known.hpp"

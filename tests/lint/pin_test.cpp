@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/pins/pins.hpp"
+#include "lint/pins.hpp"
 #include "tests/lint/all_known.hpp"
 
 /// Marks that pin a number to a published constant.

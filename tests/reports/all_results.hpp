@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 
 namespace shadefit::testing {
 

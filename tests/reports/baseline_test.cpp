@@ -1,4 +1,4 @@
-#include "reports/check/baseline.hpp"
+#include "reports/findings/baseline.hpp"
 
 #include <gtest/gtest.h>
 

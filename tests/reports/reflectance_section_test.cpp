@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/run/results.hpp"
+#include "fit/better/results.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/table/writers.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "fit/support/json_document.hpp"
+#include "fit/input/json_document.hpp"
 #include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"

@@ -1,4 +1,4 @@
-#include "scene/textures/texture.hpp"
+#include "scene/materials/texture.hpp"
 
 #include <gtest/gtest.h>
 #include <cstdio>

@@ -12,7 +12,7 @@
 #include "fit/errors/effect.hpp"
 #include "fit/families/families.hpp"
 #include "fit/ledger/lobes/exponents.hpp"
-#include "fit/solve/solve.hpp"
+#include "fit/solve.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
 

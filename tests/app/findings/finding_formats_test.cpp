@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command_line.hpp"
-#include "reports/check/baseline.hpp"
+#include "reports/findings/baseline.hpp"
 #include "reports/findings/finding.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"

@@ -7,7 +7,7 @@
 #include "fit/family_visit.hpp"
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/newton.hpp"
-#include "fit/solve/solve.hpp"
+#include "fit/solve.hpp"
 #include "fit/stress/numbers.hpp"
 
 namespace shadefit {

@@ -1,4 +1,4 @@
-#include "fit/support/parallel.hpp"
+#include "fit/input/parallel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "approx/ledger/catalogue.hpp"
+#include "approx/records/catalogue.hpp"
 #include "fit/scalars/multiprecision.hpp"
 
 namespace shadefit {

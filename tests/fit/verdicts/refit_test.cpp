@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "approx/ledger/catalogue.hpp"
+#include "approx/records/catalogue.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "approx/encoding.hpp"
-#include "fit/ledger/colour/transfer_function.hpp"
+#include "fit/ledger/transfer_function.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
 #include "fit/scalars/multiprecision.hpp"

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "app/device/device_commands.hpp"
+#include "app/output/output_file.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/input/known.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/output.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
+
+/// `bench --exhaustive`.
+namespace shadefit {
+namespace {
+
+/// The forms that the option means, with their constants.
+std::vector<bench::SweptForm> swept_forms(const forms::Catalogue& catalogue, const BenchOptions& options) {
+  const std::string& id = *options.exhaustive;
+  const bool is_all = id == "all";
+  if (is_all && options.constants)
+    throw UserError("--exhaustive 'all' does not apply with --constants: it takes every set of every form");
+  std::vector<bench::SweptForm> all;
+  std::vector<std::string> known, sets;
+  for (const forms::FormEntry& form : catalogue.forms) {
+    if (form.arguments != forms::Arguments::cosine) {
+      if (form.id == id)
+        throw UserError(
+            fmt::format("--exhaustive '{}' is not a form of one cosine: it reads {} of each element", id,
+                        form.arguments == forms::Arguments::cosine_and_code ? "a gloss too" : "a normal"));
+      continue;
+    }
+    known.emplace_back(form.id);
+    if (!is_all && form.id != id) continue;
+    for (const forms::Constants& constants : form.constants) {
+      sets.push_back(constants.id);
+      if (!options.constants || constants.id == *options.constants)
+        all.push_back({&form, &forms::target_of(catalogue, form.target), &constants});
+    }
+    if (!is_all && !options.constants) all.resize(1);  // its first set
+  }
+  if (!is_all) require_known(id, known, "form of one cosine");
+  if (all.empty())
+    throw UserError(fmt::format("--constants '{}' is not a set of {}: it must be one of {}",
+                                *options.constants, id, fmt::join(sets, ", ")));
+  return all;
+}
+
+/// The form with its constants in words: "sg, published-sg-offset-mean".
+std::string words_of(const bench::SweptForm& swept) {
+  const std::string& set = swept.constants->id;
+  return std::string(swept.form->id) + (set == "none" ? "" : ", " + set);
+}
+
+std::string hex_place(std::uint32_t at) {
+  return hex_text(static_cast<double>(std::bit_cast<float>(at)));
+}
+
+void append_row(Table& table, const bench::SweptForm& swept, const bench::FloatErrors& found) {
+  table.rows.push_back({std::string(swept.form->id), swept.constants->id, static_cast<long>(found.count()),
+                        Number{static_cast<double>(found.max_abs_error), 6},
+                        hex_place(found.max_abs_error_at), static_cast<long>(found.max_ulps),
+                        hex_place(found.max_ulps_at), static_cast<long>(found.nans),
+                        static_cast<long>(found.above_one), static_cast<long>(found.below_zero),
+                        static_cast<long>(found.beyond), static_cast<long>(found.unbounded)});
+}
+
+/// How many results are how far from the truth.
+Table ulps_table(const bench::FloatErrors& found, std::string_view numbers) {
+  Table table{{"ulps", std::string(numbers), "share"}};
+  std::size_t last = found.ulps.size();
+  while (last > 1 && found.ulps[last - 1] == 0) --last;
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::uint64_t low = i == 0 ? 0 : std::uint64_t{1} << (i - 1), high = (std::uint64_t{1} << i) - 1;
+    table.rows.push_back(
+        {low >= high ? fmt::to_string(low) : fmt::format("{} .. {}", low, high),
+         static_cast<long>(found.ulps[i]),
+         Number{static_cast<double>(found.ulps[i]) / static_cast<double>(found.count()), 4}});
+  }
+  return table;
+}
+
+}  // namespace
+
+Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
+                           const Progress& progress) {
+  const forms::Catalogue catalogue = forms::catalogue();
+  const std::vector<bench::SweptForm> swept = swept_forms(catalogue, options);
+  const bool is_one = *options.exhaustive != "all";
+  if (is_one) bench::subject_of(catalogue, swept.front(), options.exp2_degree);  // refuses a degree at once
+  std::optional<OutputFolder> folder;
+  if (!is_one) folder.emplace(options.out);
+  const auto here = [&](const bench::SweptForm& form, const auto& between) {
+    const int degree = form.form->function == forms::Function::exp2 ? options.exp2_degree : 0;
+    return errors_on(bench::subject_of(catalogue, form, degree), options.range, between);
+  };
+  const Sweeper sweeper =
+      options.device ? sweeper_on_device(catalogue, options, swept, checkpoint) : Sweeper{.errors = here};
+  Table table{{"form", "constants", std::string(sweeper.numbers), "max abs error", "at c", "max ulps",
+               "at c ", "NaN", "above 1", "below 0", "beyond", "without bound"}};
+  const auto show = bar(checkpoint, progress, "exhaustive");
+  std::string beyond, histogram;
+  for (const bench::SweptForm& form : swept) {
+    const bench::FloatErrors found = sweeper.errors(form, [&](double share) {
+      show((static_cast<double>(table.rows.size()) + share) / static_cast<double>(swept.size()));
+    });
+    append_row(table, form, found);
+    for (const std::uint32_t at : found.beyond_at)
+      beyond += fmt::format("beyond the bound: {} at c = {} ({:.6g})\n", words_of(form), hex_place(at),
+                            std::bit_cast<float>(at));
+    if (is_one)
+      histogram =
+          "\n" + write_console(ulps_table(found, sweeper.numbers), Precision::report, options.terminal);
+  }
+  Outcome outcome{beyond.empty() ? 0 : 1,
+                  (sweeper.device.empty() ? "" : "on " + sweeper.device + "\n") + sweeper.bound +
+                      write_console(table, Precision::report, options.terminal) + beyond + histogram,
+                  ""};
+  if (!folder) return outcome;
+  const File file{
+      std::string(sweeper.file),
+      write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
+  outcome.out +=
+      fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file.name).string()));
+  outcome.put = folder->prepare({file}, {}, options.force, checkpoint);
+  return outcome;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "bench/device/programme.hpp"
+#include "bench/device/vulkan_device.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
+
+/// Times and errors of forms on a device.
+namespace shadefit::device {
+
+/// How to open the device at a place for the values of these forms: its buffers are readable from here.
+DeviceChoice choice_for_values(std::size_t place, const bench::FormsToTime& forms);
+
+/// The largest absolute error of each form on a device, in one precision. Empty if the target has no truth.
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
+                                                    ShaderPrecision precision,
+                                                    const std::function<void()>& between);
+
+/// Measures forms on a device: in float, and in half if the device has it. The device is opened twice:
+/// with buffers in its own memory, and by `choice_for_values` for the errors.
+///
+/// The time of a form is that of one turn of its shader, divided by the evaluations of a turn, less the time
+/// of the chain: that of the shader whose function returns its argument, and a multiply-add for each argument
+/// after the first. The time of a multiply-add comes from `multiply_add_chain` by the same rule, divided by
+/// their number. Each round visits all shaders, and differences are taken within a round. The median time of
+/// the empty kernel, a dispatch of no turns, is subtracted from every dispatch.
+///
+/// The first forms of the trade, without a target, are the empty dispatch and a multiply-add. Throws
+/// CheckFailed if the median time of a multiply-add is not above 0.
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values,
+                               const bench::FormsToTime& forms, const bench::TimingPlan& plan,
+                               const std::function<void(double)>& between);
+
+}  // namespace shadefit::device

@@ -1,0 +1,64 @@
+#include "bench/device/programme.hpp"
+
+#include <bit>
+#include <utility>
+
+namespace shadefit::device {
+namespace {
+
+/// Enough threads to fill the device: a large GPU runs 270 000 at once, a CPU a few dozen. On the CPU fewer
+/// threads mean more turns, so that the loop is warm.
+std::uint32_t threads_of(const DeviceInfo& info) {
+  return is_the_cpu(info) ? 1U << 13 : 1U << 18;
+}
+
+}  // namespace
+
+std::uint32_t turns_that_take(double seconds, std::uint32_t most,
+                              const std::function<double(std::uint32_t)>& run) {
+  for (std::uint32_t turns = 1;; turns *= 2) {
+    if (run(turns) >= seconds || turns > most / 2) return turns;
+  }
+}
+
+Programme::Programme(VulkanDevice& device, const bench::TimingPlan& plan, std::function<void()> between)
+    : device_(device), plan_(plan), between_(std::move(between)), threads_(threads_of(device.info())) {
+  const std::array unit{bench::Range{0, 1}};
+  add(timing_shader(chain_alone(), unit, ShaderPrecision::float32, Chain::dependent),
+      ShaderPrecision::float32, true);
+}
+
+Slots Programme::add(const ShaderFunction& function, std::span<const bench::Range> ranges,
+                     ShaderPrecision precision) {
+  const Slots slots{work_.size(), work_.size() + 1};
+  for (const Chain chain : chains) {
+    between_();
+    add(timing_shader(function, ranges, precision, chain), precision, false);
+  }
+  return slots;
+}
+
+std::vector<bench::Samples> Programme::run(const std::function<void(double)>& between) const {
+  return bench::time_interleaved(
+      work_, plan_, [&] { return seconds_; }, between);
+}
+
+double Programme::seconds_of(const Program& program, std::uint32_t turns) const {
+  return seconds_of_dispatch(device_.info(), [&] {
+    return device_.run(program, threads_, {turns, std::bit_cast<std::uint32_t>(chain_factor)});
+  });
+}
+
+void Programme::add(const std::string& shader, ShaderPrecision precision, bool is_empty) {
+  constexpr std::uint32_t most = 1U << 24;  // no device runs so many in a millisecond
+  const Program program = device_.load(compiler_.spirv(shader, ShaderLanguage::glsl, precision));
+  seconds_of(program, is_empty ? 0 : 1);  // some drivers compile a shader at its first run
+  const std::uint32_t turns = is_empty ? 0 : turns_that_take(plan_.seconds, most, [&](std::uint32_t count) {
+    return seconds_of(program, count);
+  });
+  const std::size_t evaluations =
+      is_empty ? 1 : std::size_t{threads_} * turns * std::size_t{evaluations_a_turn};
+  work_.push_back({[=, this] { seconds_ += seconds_of(program, turns); }, evaluations, false});
+}
+
+}  // namespace shadefit::device

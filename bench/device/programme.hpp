@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "bench/device/dispatches.hpp"
+#include "bench/device/spirv.hpp"
+#include "bench/device/timing_shader.hpp"
+#include "bench/device/vulkan_device.hpp"
+#include "bench/tradeoff/timing.hpp"
+
+/// The dispatches that are timed on a device.
+namespace shadefit::device {
+
+/// The plans of a whole bench and of a quick one; the seconds are the least time of a dispatch. If the device
+/// is the CPU, other programs disturb some dispatches: many short ones have a better median than few long
+/// ones.
+inline constexpr bench::TimingPlan full_device_plan{41, 2e-3}, quick_device_plan{9, 1e-3};
+
+/// The smallest power of two of turns for which a dispatch takes at least `seconds`; at most `most`. `run`
+/// dispatches that many turns and returns its seconds. The number is doubled from one turn on, so no dispatch
+/// takes much longer than twice `seconds`, or than one turn.
+std::uint32_t turns_that_take(double seconds, std::uint32_t most,
+                              const std::function<double(std::uint32_t)>& run);
+
+inline constexpr std::array chains{Chain::independent, Chain::dependent};
+
+/// The index of a function's dispatches for each chain.
+using Slots = std::array<std::size_t, chains.size()>;
+
+/// Dispatches with as many turns as the plan's seconds need, visited in interleaved rounds. The first is the
+/// empty kernel. The device must outlive it.
+class Programme {
+ public:
+  /// `between` may throw to stop the preparation; the one of `run` may throw too.
+  Programme(VulkanDevice& device, const bench::TimingPlan& plan, std::function<void()> between);
+  Programme(const Programme&) = delete;
+  Programme& operator=(const Programme&) = delete;
+
+  static constexpr std::size_t empty = 0;
+
+  /// Adds a function whose arguments lie in these ranges.
+  Slots add(const ShaderFunction& function, std::span<const bench::Range> ranges, ShaderPrecision precision);
+
+  /// The elements of a dispatch: 1 for the empty kernel, or the evaluations.
+  std::size_t elements(std::size_t slot) const { return work_.at(slot).elements; }
+
+  /// The times of all, in ns per element.
+  std::vector<bench::Samples> run(const std::function<void(double)>& between) const;
+
+ private:
+  /// Dispatches a shader with so many turns, and returns the seconds.
+  double seconds_of(const Program& program, std::uint32_t turns) const;
+  void add(const std::string& shader, ShaderPrecision precision, bool is_empty);
+
+  VulkanDevice& device_;
+  ShaderCompiler compiler_;
+  bench::TimingPlan plan_;
+  std::function<void()> between_;
+  std::uint32_t threads_;
+  std::vector<bench::Work> work_;
+  double seconds_ = 0;  ///< the clock: the seconds of all dispatches so far
+};
+
+}  // namespace shadefit::device

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "bench/forms/float_errors.hpp"
+#include "bench/forms/catalogue.hpp"
+
+/// A form of the catalogue that `bench --exhaustive` sweeps.
+namespace shadefit::bench {
+
+/// A form with a set of its constants, and the target that it is compared with.
+struct SweptForm {
+  const forms::FormEntry* form;
+  const forms::Target* target;
+  const forms::Constants* constants;
+};
+
+/// The form in float, and as the reference the target's formula in double, by the library. The reference's
+/// error is a few last bits of a double: less than one for pow of the C library (as documented), half of one
+/// for 1 - c of a float, multiplied by a power of some tens. One ulp of a float is 2^29 ulps of a double, so
+/// the reference rounds to the right float, except within a millionth of the middle between two floats.
+///
+/// Throws UserError for a degree of exp2 that the form does not have.
+FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& swept, int exp2_degree);
+
+}  // namespace shadefit::bench

@@ -1,0 +1,63 @@
+#include "bench/tradeoff/timing.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace shadefit::bench {
+namespace {
+
+/// One visit: a few warm calls, then the timed ones.
+void sample(const Work& work, Samples& samples, const Clock& clock) {
+  // An eighth of a visit restores caches and branch prediction. A core that slows down for wide registers
+  // does so within it.
+  for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
+  const double before = clock();
+  for (long i = 0; i < samples.calls; ++i) work.once();
+  const double to_ns = 1e9 / (static_cast<double>(samples.calls) * static_cast<double>(work.elements));
+  samples.ns.push_back((clock() - before) * to_ns);
+}
+
+}  // namespace
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<std::size_t> visits(int round, std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (round % 2 == 1) std::reverse(order.begin(), order.end());
+  return order;
+}
+
+long calls_that_take(const Work& work, double seconds, const Clock& clock) {
+  constexpr long most = 1L << 30;
+  for (long calls = 1;; calls *= 2) {
+    const double before = clock();
+    for (long i = 0; i < calls; ++i) work.once();
+    if (clock() - before >= seconds || calls >= most) return calls;
+  }
+}
+
+std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan, const Clock& clock,
+                                      const std::function<void(double)>& between) {
+  std::vector<Samples> all(work.size());
+  // The calibration takes about as long as two rounds.
+  const double steps = static_cast<double>(work.size()) * (plan.rounds + 2);
+  double done = 0;
+  for (std::size_t i = 0; i < work.size(); ++i, done += 2) {
+    between(done / steps);
+    all[i].calls = calls_that_take(work[i], plan.seconds, clock);
+  }
+  for (int round = 0; round < plan.rounds; ++round) {
+    for (const std::size_t i : visits(round, work.size())) {
+      between(done++ / steps);
+      sample(work[i], all[i], clock);
+    }
+  }
+  between(1);
+  return all;
+}
+
+}  // namespace shadefit::bench

@@ -1,0 +1,161 @@
+#include "fit/better/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "approx/records/catalogue.hpp"
+#include "approx/records/optical_constants.hpp"
+#include "fit/input/known.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
+  return ids.empty() || std::ranges::find(ids, id) != ids.end();
+}
+
+/// A family that is named is refitted at all its exponents. For published numbers it is refitted only at the
+/// exponents that they need. "Everything" does not include the forms that only compare.
+struct WantedFits {
+  std::vector<double> exponents;
+  std::vector<const Published*> numbers;
+};
+
+std::optional<WantedFits> wanted_fits(const std::vector<std::string>& ids, const Family& family) {
+  if (ids.empty() && family.is_comparison) return std::nullopt;
+  const std::vector<const Published*> all = numbers_of(family);
+  if (is_wanted(ids, family.id))
+    return WantedFits{family.sweep.empty() ? std::vector<double>{} : parse_sweep(family.sweep), all};
+  WantedFits wanted;
+  for (const Published* number : all) {
+    if (!is_wanted(ids, number->id)) continue;
+    wanted.numbers.push_back(number);
+    const auto needed = exponents_needed_by(*number, family);
+    wanted.exponents.insert(wanted.exponents.end(), needed.begin(), needed.end());
+  }
+  return wanted.numbers.empty() ? std::nullopt : std::optional(wanted);
+}
+
+/// The name of a family includes the claims that begin with it: sg-offset includes sg-offset-mean.
+bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
+  return is_wanted(ids, id) || std::ranges::any_of(ids, [&](const std::string& wanted) {
+           return find_family(wanted) != nullptr && id.starts_with(wanted + "-");
+         });
+}
+
+/// The comparisons of the report: Schlick's weight, the exact reflectance of glass, and the lobe of exponent
+/// 5, which mirrors Schlick's weight and for which an offset was published.
+std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
+  const FittableFamily& lobe = *find_family(sg_offset.id);
+  const auto is_compared = [&](const FittableFamily& family) {
+    return ids.empty() || std::ranges::any_of(ids, [&](const std::string& id) {
+             const FittableFamily* named = find_family(id);
+             return named != nullptr && have_same_target(*named, family);
+           });
+  };
+  std::vector<Comparison> found;
+  if (is_compared(fresnel)) {
+    found.push_back(compare_forms(fresnel, {}, report_comparison, checkpoint));
+    const Setting on_glass(0, exact_surface(constant<double>(glass.ior)));
+    found.push_back(compare_forms(fresnel, on_glass, report_comparison, checkpoint));
+  }
+  if (is_compared(lobe)) found.push_back(compare_forms(lobe, 5, report_comparison, checkpoint));
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> known_ids() {
+  std::vector<std::string> ids;
+  const auto add = [&](std::string_view id) {
+    if (std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
+  };
+  for (const auto& family : fittable_families()) {
+    add(family.info.id);
+    for (const Published& published : published_constants) {
+      if (published.family == family.info.id) add(published.id);
+    }
+  }
+  for (const Normalisation& record : normalisations) add(record.id);
+  for (const std::string& id : claim_ids()) add(id);
+  return ids;
+}
+
+std::vector<std::string> claim_ids() {
+  std::vector<std::string> ids;
+  for (const Topic& topic : ledger()) {
+    for (const Claim& claim : topic.claims) ids.emplace_back(claim.id);
+  }
+  return ids;
+}
+
+Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  for (const std::string& id : ids) require_known(id, known_ids(), "constant");
+  Results results;
+  Fits fits;
+  std::vector<const FittableFamily*> fresnel_families;
+  for (const FittableFamily& family : fittable_families()) {
+    const auto wanted = wanted_fits(ids, family.info);
+    if (!wanted) continue;
+    results.refits.push_back(
+        refit(fits.of(family), wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
+    // The chain has published curves only.
+    if (family.is_fresnel() && !family.info.is_comparison) fresnel_families.push_back(&family);
+  }
+  checkpoint();
+  results.fresnel_chain = fresnel_chain(fresnel_families);
+  for (const Normalisation& record : normalisations) {
+    if (!is_wanted(ids, record.id)) continue;
+    checkpoint();
+    for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
+  }
+  const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
+  results.reflectances = reflectance_curves(wanted);
+  results.claims =
+      judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, fits, checkpoint);
+  results.comparisons = comparisons(ids, checkpoint);
+  return results;
+}
+
+bool all_checks_passed(const Results& results) {
+  const auto& all_of = std::ranges::all_of;
+  const auto is_converged = [](Status status) { return status == Status::converged; };
+  const auto status_of = [](const FitReport& report) { return report.fit.status; };
+  const auto is_exact = [](const Reflectance& point) {
+    return point.estimated_error <= reflectance_tolerance;
+  };
+  const auto is_proven = [](const Contender& contender) { return contender.max_abs_error.is_reached; };
+  const bool converged =
+      all_of(results.refits, [&](const Refit& refit) { return all_of(refit.fits, is_converged, status_of); });
+  const bool confirmed =
+      all_of(results.normalisations, [](const auto& check) { return check.verdict == Verdict::confirmed; });
+  const bool exact = all_of(results.reflectances,
+                            [&](const ReflectanceCurve& curve) { return all_of(curve.points, is_exact); });
+  const bool linked = all_of(results.fresnel_chain, is_converged, &FresnelLink::status);
+  const bool judged =
+      all_of(results.claims, [](const JudgedClaim& claim) { return claim.finding.verdict.has_value(); });
+  const bool proven = all_of(results.comparisons, [&](const Comparison& comparison) {
+    return comparison.left_out.empty() && all_of(comparison.contenders, is_proven);
+  });
+  return converged && linked && confirmed && exact && judged && proven;
+}
+
+std::string which_fit(const Fit& fit) {
+  return std::string(fit.family->id) + (fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "");
+}
+
+std::string not_converged_lines(const Refit& refit) {
+  std::string lines;
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::converged) continue;
+    lines += fmt::format("shadefit: {} did not converge: {}{}\n", which_fit(report.fit),
+                         name(report.fit.status), report.fit.why.empty() ? "" : ": " + report.fit.why);
+  }
+  return lines;
+}
+
+}  // namespace shadefit

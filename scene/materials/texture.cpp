@@ -1,0 +1,44 @@
+#include "scene/materials/texture.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "fit/support/user_error.hpp"
+#include "scene/materials/texels.hpp"
+
+namespace shadefit::scene {
+
+PictureFormat picture_format(Bytes encoded) {
+  const std::string_view text = text_of(encoded);
+  if (text.starts_with("\x89PNG\r\n\x1A\n")) return PictureFormat::png;
+  return text.starts_with("\xFF\xD8\xFF") ? PictureFormat::jpeg : PictureFormat::other;
+}
+
+std::vector<Histogram> PictureReader::histograms(Bytes encoded, std::span<const Channel> channels) {
+  const SizeCheck check = [&](PictureSize size) {
+    // Both formats store width and height in at most 31 bits, so the product is exact.
+    const std::uint64_t pixels = size.width * size.height;
+    if (pixels > most_pixels) {
+      throw UserError(fmt::format("the picture has {} x {} pixels, more than {} together", size.width,
+                                  size.height, most_pixels));
+    }
+    if (pixels > pixels_left_) {
+      throw UserError(
+          fmt::format("with its {} x {} pixels the pictures of the scene have more than may be read together",
+                      size.width, size.height));
+    }
+    pixels_left_ -= pixels;
+  };
+  std::vector<ChannelCount> counted;
+  for (const Channel channel : channels) counted.push_back({channel});
+  const PictureFormat format = picture_format(encoded);
+  if (format == PictureFormat::other) throw UserError("the picture is neither PNG nor JPEG");
+  const auto count_pixels = format == PictureFormat::png ? count_png : count_jpeg;
+  count_pixels(encoded, check, counted);
+  std::vector<Histogram> found;
+  for (const ChannelCount& count : counted) found.push_back(count.counts);
+  return found;
+}
+
+}  // namespace shadefit::scene
