@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "app/studies/find_study.hpp"
-#include "fit/ledger/ledger.hpp"
 #include "approx/phong_blinn.hpp"
 #include "fit/fit.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "fit/support/sweep.hpp"
 #include "reports/findings/baseline.hpp"
 #include "reports/io/csv.hpp"
