@@ -30,7 +30,7 @@ class Rewriter {
       if (out_.size() > longest_formula) return std::nullopt;
       const char c = text_[at_];
       if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
-        number();
+        if (!number()) return std::nullopt;
       } else if (is_of_name(c)) {
         if (!word()) return std::nullopt;
       } else if (c == '.') {
@@ -63,13 +63,15 @@ class Rewriter {
   /// A sign that changes nothing, as in "return + a * x"; not that of "++i".
   bool is_unary_plus() const { return peek(1) != '+' && is_one_of(last(), "+-*/^(,?:<>=&|"); }
 
-  /// A number without its suffix and separators.
-  void number() {
+  /// A decimal number without its suffix and separators.
+  bool number() {
     const Notation number = parts_of_number(std::string_view(text_).substr(at_));
+    if (number.suffix.starts_with('x') || number.suffix.starts_with('X')) return false;
     const std::size_t end = at_ + number.length - number.suffix.size();
     for (std::size_t i = at_; i < end; ++i)
       if (!is_one_of(text_[i], "_'")) out_ += text_[i];
     at_ += number.length;
+    return true;
   }
 
   std::string take_word() {

@@ -100,7 +100,7 @@ TEST(ReadExpression, ACallAMemberAndAnElementAreNames) {
 }
 
 TEST(ReadExpression, OtherThanScalarsIsNotRead) {
-  for (const char* text : {"vec3(1, 2, 3) * x", "a = x", "x +", "\"x\"", "x; y"})
+  for (const char* text : {"vec3(1, 2, 3) * x", "a = x", "x +", "\"x\"", "x; y", "0x1.8p+1 * x"})
     EXPECT_FALSE(read_expression(text, CommentStyle::c)) << text;
 }
 
