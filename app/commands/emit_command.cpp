@@ -7,7 +7,7 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/better/better_study.hpp"
 #include "fit/better/prove_contenders.hpp"
 #include "fit/proof/certificate.hpp"

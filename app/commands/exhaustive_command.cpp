@@ -5,8 +5,8 @@
 
 #include "app/device/device_commands.hpp"
 #include "app/output/output_file.hpp"
-#include "fit/support/hex_float.hpp"
 #include "fit/input/known.hpp"
+#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"

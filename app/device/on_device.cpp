@@ -7,8 +7,8 @@
 #include "app/device/device_commands.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/half_errors.hpp"
-#include "bench/device/probe.hpp"
 #include "bench/device/measure_device.hpp"
+#include "bench/device/probe.hpp"
 
 /// `bench --device`: times, and every float or half.
 namespace shadefit {

@@ -13,16 +13,16 @@
 #include "app/options/option_values.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/input/bounded_file.hpp"
-#include "fit/support/decimal.hpp"
 #include "fit/input/json_document.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "lint/fixes.hpp"
 #include "lint/lint_tree.hpp"
 #include "lint/tree/lint_config.hpp"
-#include "reports/io/output.hpp"
-#include "reports/io/utf8.hpp"
 #include "reports/findings/lint_findings.hpp"
 #include "reports/findings/unified_diff.hpp"
+#include "reports/io/output.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {

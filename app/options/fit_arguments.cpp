@@ -8,15 +8,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "approx/records/optical_constants.hpp"
+#include "fit/better/results.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "fit/input/known.hpp"
 #include "fit/least_squares/weight.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/rounding/rounding.hpp"
-#include "fit/better/results.hpp"
 #include "fit/support/decimal.hpp"
-#include "fit/input/known.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"

@@ -6,8 +6,8 @@
 
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
-#include "fit/formula/formula_text.hpp"
 #include "fit/better/results.hpp"
+#include "fit/formula/formula_text.hpp"
 #include "fit/input/bounded_file.hpp"
 #include "fit/input/known.hpp"
 #include "fit/support/user_error.hpp"

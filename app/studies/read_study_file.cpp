@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "app/options/study_options.hpp"
-#include "fit/support/decimal.hpp"
 #include "fit/input/toml_reader.hpp"
+#include "fit/support/decimal.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {

@@ -7,8 +7,8 @@
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/form_bound.hpp"
-#include "fit/scalars/half.hpp"
 #include "fit/input/parallel.hpp"
+#include "fit/scalars/half.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {

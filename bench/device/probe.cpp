@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "bench/device/evaluator.hpp"
-#include "fit/stress/numbers.hpp"
 #include "fit/input/parallel.hpp"
+#include "fit/stress/numbers.hpp"
 
 namespace shadefit::device {
 namespace {

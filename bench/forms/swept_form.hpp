@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bench/forms/float_errors.hpp"
 #include "bench/forms/catalogue.hpp"
+#include "bench/forms/float_errors.hpp"
 
 /// A form of the catalogue that `bench --exhaustive` sweeps.
 namespace shadefit::bench {

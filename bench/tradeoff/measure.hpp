@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "bench/tradeoff/timing.hpp"
 #include "bench/tradeoff/timed_forms.hpp"
+#include "bench/tradeoff/timing.hpp"
 
 /// Times forms on this processor.
 namespace shadefit::bench {

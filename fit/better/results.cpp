@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/input/known.hpp"
 #include "fit/support/sweep.hpp"

@@ -8,10 +8,10 @@
 
 #include "approx/encoding.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/ledger/transfer_function.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
+#include "fit/ledger/transfer_function.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 

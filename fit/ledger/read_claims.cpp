@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/input/toml_reader.hpp"
 
 namespace shadefit {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fit/least_squares/least_squares.hpp"
-#include "fit/study_squares/linear_optimum.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
+#include "fit/study_squares/linear_optimum.hpp"
 
 namespace shadefit {
 namespace {

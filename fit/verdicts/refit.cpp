@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 
 namespace shadefit {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <tuple>
 
-#include "fit/support/hex_float.hpp"
 #include "fit/input/json_document.hpp"
+#include "fit/support/hex_float.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/own_fields.hpp"
 #include "reports/rows/fit_json.hpp"

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "reports/rows/citation.hpp"
 
 namespace shadefit {

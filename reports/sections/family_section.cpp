@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "scene/materials/material.hpp"
-#include "scene/mtl/mtl_lines.hpp"
 #include "scene/materials/texture.hpp"
+#include "scene/mtl/mtl_lines.hpp"
 
 /// Converts a material of Wavefront's format to one lobe.
 namespace shadefit::scene {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/commands/command_line.hpp"
-#include "app/output/slow_tables.hpp"
 #include "app/output/interrupt.hpp"
 #include "app/output/progress.hpp"
+#include "app/output/slow_tables.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/findings/baseline.hpp"
 #include "reports/rows/stress_tables.hpp"

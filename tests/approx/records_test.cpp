@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/fit.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/verdicts/refit.hpp"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/tradeoff/machine.hpp"
-#include "bench/tradeoff/timing.hpp"
 #include "bench/tradeoff/compiled_code.hpp"
+#include "bench/tradeoff/machine.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
+#include "bench/tradeoff/timing.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/table/writers.hpp"
 #include "tests/bench/exp2_choices.hpp"

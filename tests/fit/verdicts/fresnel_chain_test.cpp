@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 #include "fit/scalars/multiprecision.hpp"
 
 namespace shadefit {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "approx/records/catalogue.hpp"
+#include "approx/catalogue.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "approx/encoding.hpp"
-#include "fit/ledger/transfer_function.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
+#include "fit/ledger/transfer_function.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
