@@ -298,6 +298,9 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     for (const FixedFile& file : files) diffs += unified_diff(file.name, file.before, file.after);
     return {diffs.empty() ? 0 : 1, diffs, warnings_of(linted.skipped)};
   }
+  std::set<fs::path> folders;
+  for (const lint::SourceFile& file : sources.files) folders.insert(fs::path(file.path).parent_path());
+  for (const fs::path& folder : folders) remove_leftovers(folder.empty() ? "." : folder);
   judge_again(linted, files, sources, known, limits, checkpoint);
   Outcome outcome = report_of(linted, shown, given);
   if (files.empty()) return outcome;

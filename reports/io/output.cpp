@@ -1,6 +1,7 @@
 #include "reports/io/output.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,8 +41,6 @@ class NewFile : boost::noncopyable {
   }
 
   void write(std::string_view content) const {
-    std::error_code ignored;
-    fs::remove(path_, ignored);  // a killed run may have left it
     std::FILE* stream = std::fopen(path_.c_str(), "wbx");
     if (stream == nullptr) fail_to("write", place_, std::strerror(errno));
     const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
@@ -117,10 +116,25 @@ void write_files(const fs::path& named, const std::vector<File>& files) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) fail_to("create directory", folder, error.message());
+    if (written.empty()) remove_leftovers(folder);
     if (fs::is_directory(place, error)) fail_to("write", place, "it is a directory");
     written.emplace_back(place, written.size()).write(file.content);
   }
   for (const NewFile& file : written) file.put();
+}
+
+void remove_leftovers(const fs::path& directory) {
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(directory, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    int process = 0, number = 0, length = 0;
+    const bool is_ours = std::sscanf(name.c_str(), ".shadefit-%d-%d%n", &process, &number, &length) == 2 &&
+                         length == std::ssize(name) && process > 0 && entry->is_regular_file(ignored);
+    // In a container the killed process often had the number of this one.
+    if (is_ours && (process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH)))
+      fs::remove(entry->path(), ignored);
+  }
 }
 
 void remove_own(const fs::path& directory, const std::vector<File>& files) {

@@ -21,6 +21,10 @@ void require_own(const std::filesystem::path& directory, const std::vector<File>
 /// to rename one, all files are written or none.
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files);
 
+/// Removes the new files that a run was writing in the directory when it was killed: `.shadefit-PID-NUMBER`,
+/// where no process has that PID any more. `write_files` does so too.
+void remove_leftovers(const std::filesystem::path& directory);
+
 /// Removes the files that exist and that shadefit wrote. Their contents are the beginnings by which they are
 /// recognised.
 void remove_own(const std::filesystem::path& directory, const std::vector<File>& files);

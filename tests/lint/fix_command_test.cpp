@@ -215,6 +215,24 @@ TEST(LintFix, WritesFilesOfSeveralFolders) {
     EXPECT_EQ(read_file(folder / name), with_pins);
 }
 
+TEST(LintFix, RemovesWhatAKilledRunLeft) {
+  const TemporaryDirectory folder;
+  folder.file("a/fixed.glsl", with_typo);  // nothing is left to fix there
+  folder.file("b/faulty.glsl", faulty);
+  // Linux has no process with this number: the largest is 2^22.
+  const std::string gone = ".shadefit-99999999-0", here = fmt::format(".shadefit-{}-0", ::getppid());
+  for (const char* place : {"a/", "b/"}) folder.file(place + gone, faulty);
+  const std::vector<std::string> kept{"a/" + here, "a/.shadefit-99999999-0.glsl", "a/.shadefit-cache"};
+  for (const std::string& file : kept) folder.file(file, "of others");
+  fs::create_directory(folder / "a/.shadefit-99999999-1");
+  run_command_line({"lint", folder.path().string(), "--diff"});
+  EXPECT_TRUE(fs::exists(folder / ("a/" + gone))) << "--diff writes nothing";
+  lint_fixing(folder.path().string(), "typo");
+  for (const char* place : {"a/", "b/"}) EXPECT_FALSE(fs::exists(folder / (place + gone))) << place;
+  for (const std::string& file : kept) EXPECT_TRUE(fs::exists(folder / file)) << file;
+  EXPECT_TRUE(fs::exists(folder / "a/.shadefit-99999999-1"));
+}
+
 TEST(LintDiff, ShowsWhatFixWouldDoAndWritesNothing) {
   const TemporaryDirectory folder;
   const std::string file = folder.file("a.glsl", faulty);
