@@ -51,7 +51,8 @@ Table stress_summary(const Table& forms) {
   const auto chosen = [](const auto& row) {
     auto some = row;
     some.clear();
-    for (const std::size_t i : {0, 1, 4, 7, 9, 10, 11, 12, 13, 14}) some.push_back(row[i]);
+    for (const std::size_t i : {0UL, 1UL, 4UL, 7UL, 9UL, 10UL, 11UL, 12UL, 13UL, 14UL})
+      some.push_back(row[i]);
     return some;
   };
   summary.columns = chosen(forms.columns);
