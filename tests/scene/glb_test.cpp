@@ -42,7 +42,7 @@ TEST(Glb, RefusesWhatIsNone) {
            {glb_of(most + "JSON{}  "), "byte 12: a chunk of 4294967295 bytes goes past the end, 4 bytes on"},
            {glb_of(chunk("BIN\0"s, "1234")), "byte 12: the first chunk, and no other, has to be JSON"},
            {glb_of(json + json), "byte 24: the first chunk, and no other, has to be JSON"}})
-    EXPECT_EQ(refusal([&] { parse_glb(bytes_of(file)); }), words);
+    EXPECT_EQ(refusal([&bytes = file] { parse_glb(bytes_of(bytes)); }), words);
 }
 
 }  // namespace
