@@ -33,7 +33,7 @@ scene::Wanted wanted_by(const SceneOptions& options) {
 /// A path relative to the folder of the code that names it, so that both can be moved together. Absolute if
 /// the code is printed, because it may be stored anywhere.
 std::string recorded_path(const std::string& file, const std::optional<std::string>& folder) {
-  // A folder that --out will make is no relative path to weakly_canonical until it is absolute.
+  // weakly_canonical leaves a relative path relative where its folder does not exist yet, as that of --out.
   const auto real = [](const std::filesystem::path& path) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
   };

@@ -24,7 +24,7 @@ struct Arrays {
 template <class Real>
 using Kernel = void (*)(const Arrays<Real>&, std::span<const Real> parameters);
 
-/// A form and its exp2. A kernel is null if there is none.
+/// A form and its exp2. Where the form has no such kernel, the pointer is null.
 struct FormKernels {
   std::string_view form;  ///< the id of a form of the catalogue (bench/forms/catalogue.hpp)
   int exp2_degree = 0;    ///< of the polynomial in its exp2; 0: the library's, or none

@@ -58,7 +58,7 @@ struct SampleResidual {
 
 enum class Tolerance { usual, tight };
 
-/// The fit of a form to samples of its target up to `end`, of which each has a weight.
+/// Fits a form to weighted samples of its target, from 0 to `end`.
 template <class Form, class Target, class Weight>
 std::array<double, Form::size> fit(std::array<double, Form::size> p, double exponent, double end,
                                    const Target& target, const Weight& weight, Tolerance tolerance) {
