@@ -82,7 +82,7 @@ TEST(Features, AgreeWithAnIndependentReader) {
     const std::vector<Material> materials = materials_of(file);
     ASSERT_EQ(materials.size(), expected.size()) << file;
     for (std::size_t i = 0; i < materials.size(); ++i) {
-      EXPECT_EQ(materials[i].name, expected[i][0]) << file;
+      EXPECT_EQ(materials[i].name, expected[i][0].get<std::string>()) << file;
       Features features = expected[i][1].get<Features>();
       // it decodes no picture
       for (const char* texture : {"metallic texture", "roughness texture"})
