@@ -1,11 +1,8 @@
 #pragma once
 
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cstddef>
 #include <span>
-#include <stdexcept>
-#include <utility>
 #include <vector>
 
 /// Gauss-Legendre rules of rising size, computed by Boost.Math.
@@ -20,21 +17,7 @@ struct GaussRule {
 };
 
 /// The rule of `size` points, made once. Throws std::out_of_range where there is none.
-inline GaussRule gauss_rule(unsigned size) {
-  GaussRule rule;
-  const auto take_if = [&]<unsigned N>(std::integral_constant<unsigned, N>) {
-    static_assert(N % 2 == 0);
-    using Rule = boost::math::quadrature::gauss<long double, N>;
-    if (N == size) rule = {Rule::abscissa(), Rule::weights()};
-    return N == size;
-  };
-  const bool is_found = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return (take_if(std::integral_constant<unsigned, gauss_sizes[I]>{}) || ...);
-  }
-  (std::make_index_sequence<gauss_sizes.size()>{});
-  if (!is_found) throw std::out_of_range("no Gauss rule of that size");
-  return rule;
-}
+GaussRule gauss_rule(unsigned size);
 
 /// Calls visit(position, weight) for each node of the rule of `size` points on [0, 1], in rising position;
 /// the weights sum to 1. Nodes are computed in long double, so that their doubles are correctly rounded.
