@@ -50,7 +50,6 @@ Scene read_scene(std::span<const std::filesystem::path> paths, const Conventions
   for (const std::filesystem::path& file : files) {
     Scene one = read_one_file(file, conventions);
     std::ranges::move(one.materials, std::back_inserter(scene.materials));
-    std::ranges::move(one.missing, std::back_inserter(scene.missing));
     std::ranges::move(one.unused, std::back_inserter(scene.unused));
     std::ranges::move(one.remarks, std::back_inserter(scene.remarks));
     if (scene.materials.size() + scene.unused.size() > most_materials) {

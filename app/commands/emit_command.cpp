@@ -25,21 +25,20 @@
 namespace shadefit {
 namespace {
 
-std::string parse_function_name(const std::string& text, Language language) {
+std::string parse_function_name(const std::string& text) {
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const bool is_name = !text.empty() && std::ranges::all_of(text, is_letter) &&
                        std::isdigit(static_cast<unsigned char>(text.front())) == 0;
   if (!is_name)
     throw UserError(fmt::format(
         "--name '{}' is not the name of a function: letters, digits and '_', no digit first", text));
-  if (const std::string_view reason = reason_to_refuse_name(text, language); !reason.empty())
-    throw UserError(
-        fmt::format("--name '{}' cannot be a function's name in {}: {}", text, name(language), reason));
+  if (const std::string_view reason = reason_to_refuse_name(text); !reason.empty())
+    throw UserError(fmt::format("--name '{}' cannot be a function's name: {}", text, reason));
   return text;
 }
 
 std::string function_name(std::string_view id, const EmitOptions& options) {
-  if (options.name) return parse_function_name(*options.name, *options.language);
+  if (options.name) return parse_function_name(*options.name);
   std::string text(id);
   std::ranges::replace(text, '-', '_');
   return text;

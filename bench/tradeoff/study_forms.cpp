@@ -56,12 +56,10 @@ bool has_code(const ShaderFunction& function, Language language) {
   }
 }
 
-void require_names(const std::vector<std::string>& variables, Language language) {
+void require_names(const std::vector<std::string>& variables) {
   for (const std::string& name : variables) {
-    const auto reason = reason_to_refuse_name(name, language);
-    if (!reason.empty())
-      throw UserError(
-          fmt::format("{} code cannot have the variable '{}': {}", shadefit::name(language), name, reason));
+    const auto reason = reason_to_refuse_name(name);
+    if (!reason.empty()) throw UserError(fmt::format("code cannot have the variable '{}': {}", name, reason));
   }
 }
 
@@ -77,7 +75,7 @@ TimedForm row_of(const StudyContender& contender) {
 }
 
 void append(FormsToTime& all, const StudyComparison& comparison, TimedTarget heading, Language language) {
-  require_names(comparison.variables, language);
+  require_names(comparison.variables);
   const ReadStudy read = formulas_of(comparison, comparison.contenders.front());
   FormTarget target{std::move(heading), {}, {}, {}};
   for (const StudyAxis& axis : read.axes) target.ranges.push_back({axis.lower, axis.upper});

@@ -161,21 +161,14 @@ std::vector<OthersText> comment_of(const Plan& plan, const std::string& command)
       plan.wanted.lights == 1 ? "a light" : fmt::format("{} lights together, each", plan.wanted.lights),
       decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", is_constant ? "(n.l)" : "min(n.l, 2 n.h)",
       name(plan.wanted.precision)));
-  if (plan.shading.exp2_degree > 0)
-    comment.push_back(fmt::format("With {}; on processors without exp2, a polynomial of degree {} does.",
-                                  plan.wanted.precision == scene::PixelPrecision::float32
-                                      ? "exp2 within 4 ulps, log2 within 3 or 2^-21"
-                                      : "exp2 and log2 rounded once",
-                                  plan.shading.exp2_degree));
+  if (plan.shading.lobe.kind == LobeKind::exponential || plan.shading.lobe.kind == LobeKind::power)
+    comment.emplace_back(plan.wanted.precision == scene::PixelPrecision::float32
+                             ? "With exp2 within 4 ulps, log2 within 3 or 2^-21."
+                             : "With exp2 and log2 rounded once.");
   if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
   if (!is_constant)
     comment.emplace_back(
         "min(n.l, 2 n.h) is n.l wherever n.v >= 0: it bounds a light where a normal map turns away.");
-  if (plan.dot_product_error > 0)
-    comment.push_back(fmt::format(
-        "n.h is taken as given: a dot product in {} is off by {}, which moves a light by up to {} more.",
-        name(plan.wanted.precision), decimal_above(scene::dot_product_rounding(plan.wanted.precision), 3),
-        decimal_above(plan.dot_product_error, 2)));
   comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
   return comment;
 }

@@ -21,7 +21,7 @@ namespace shadefit {
 std::vector<ShaderFunction> scene_functions(const scene::Scene& scene, const scene::Plan& plan);
 
 /// All functions in a language. The comment above them contains `command`, which generated them, and the
-/// errors. The powers of the materials, and the cosines at which a light can be skipped, are in the plan.
+/// errors. The powers of the materials are in the plan.
 /// Throws UserError like `shader_code`.
 std::string scene_code(const scene::Scene& scene, const scene::Plan& plan, Language language,
                        const std::string& command);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string_view>
 #include <variant>
 
@@ -40,11 +39,10 @@ std::string headline(const Scene& scene, const Plan& plan) {
 
 std::string summary(const Plan& plan) {
   const int lights = plan.wanted.lights;
-  return fmt::format("Error at most {} of {}{}: {}.\nFits run {}, skipped {}.\n",
-                     decimal_above(plan.error, 3), decimal(plan.wanted.tolerance, 4),
+  return fmt::format("Error at most {} of {}{}: {}.\n", decimal_above(plan.error, 3),
+                     decimal(plan.wanted.tolerance, 4),
                      lights == 1 ? "" : fmt::format(" ({} lights, each by the rows above)", lights),
-                     plan.is_within() ? "within the tolerance" : "NOT within the tolerance", plan.fits_run,
-                     plan.fits_skipped);
+                     plan.is_within() ? "within the tolerance" : "NOT within the tolerance");
 }
 
 /// What is unknown, what was changed, and what the plan does not cover, one line each.
@@ -53,8 +51,6 @@ std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
   for (const std::string& remark : scene.remarks) lines.push_back(printable(remark));
   for (const std::string& name : scene.unused)
     lines.push_back(fmt::format("'{}': nothing is drawn with it, and it is not counted", printable(name)));
-  for (const std::string& file : scene.missing)
-    lines.push_back(fmt::format("'{}' is missing", printable(file)));
   for (const Material& material : scene.materials) {
     for (const auto* some : {&material.unknowns, &material.remarks}) {
       for (const std::string& line : *some)
@@ -78,13 +74,14 @@ Table decisions_table(const Plan& plan) {
 }
 
 Table materials_table(const Scene& scene, const Plan& plan) {
-  Table table{.columns = {"material", "lobe", "power", "largest", "cutoff", "reason"}};
+  Table table{.columns = {"material", "lobe", "power", "largest", "reason"}};
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const MaterialPlan& m = plan.materials[i];
-    const bool is_textured = scene.materials[i].is_power_textured();
-    table.rows.push_back({OthersText(m.name), std::string(m.has_lobe ? "yes" : "no"),
+    const Material& material = scene.materials[i];
+    const bool is_textured = material.is_power_textured();
+    table.rows.push_back({OthersText(material.name), std::string(m.has_lobe ? "yes" : "no"),
                           range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
-                          m.has_lobe ? Cell(decimal_below(m.cutoff, 6)) : Cell(), OthersText(m.reason)});
+                          OthersText(m.reason)});
   }
   return table;
 }
@@ -102,7 +99,7 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
       markdown_block(decisions_table(plan)) + summary(plan) +
       "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven. "
       "Where a normal map turns a normal away from the viewer, n.v < 0, n.l counts as 2 n.h at most.\n\n# Materials\n\n`largest` is the "
-      "largest F (n + 2)/8; below `cutoff`, a value of n.h, a light need not be asked.\n\n" +
+      "largest F (n + 2)/8.\n\n" +
       markdown_block(materials_table(scene, plan));
   const std::vector<std::string> lines = notes(scene, plan);
   if (!lines.empty()) text += "# Notes\n\n";
@@ -112,28 +109,16 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
 
 std::string plan_json(const Scene& scene, const Plan& plan) {
   Json materials = Json::array();
-  // A texture has up to 256, each a hundred bytes here: a large scene leaves them out.
-  constexpr std::size_t most_powers = 1'000'000;
-  const std::size_t all_powers =
-      std::accumulate(scene.materials.begin(), scene.materials.end(), std::size_t{0},
-                      [](std::size_t sum, const Material& material) { return sum + material.powers.size(); });
-  const bool are_powers_listed = all_powers <= most_powers;
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const MaterialPlan& m = plan.materials[i];
     const Material& material = scene.materials[i];
-    Json powers = Json::array();
-    for (const scene::PowerShare& share : material.powers) {
-      if (are_powers_listed) powers.push_back({share.power, share.share});
-    }
-    materials.push_back({{"name", printable(m.name)},
+    materials.push_back({{"name", printable(material.name)},
                          {"lobe", m.has_lobe},
                          {"reason", m.reason},
                          {"largest", m.factor},
-                         {"cutoff", m.cutoff},
                          {"f0", {json_of(material.f0[0]), json_of(material.f0[1]), json_of(material.f0[2])}},
                          {"f90", json_of(material.f90)},
                          {"power", json_of(m.power)},
-                         {"powers", powers},
                          {"textured", material.is_power_textured()}});
   }
   Json unused = Json::array();
@@ -144,9 +129,6 @@ std::string plan_json(const Scene& scene, const Plan& plan) {
               {"precision", name(plan.wanted.precision)},
               {"lights", plan.wanted.lights},
               {"error", plan.error},
-              {"dot_product_error", plan.dot_product_error},
-              {"fits_run", plan.fits_run},
-              {"fits_skipped", plan.fits_skipped},
               {"terms", write_json(decisions_table(plan))},
               {"materials", materials},
               {"unused", unused},

@@ -57,8 +57,9 @@ Symbolic as_generated(const Symbolic& expression, ShaderPrecision precision);
 std::string shader_code(std::span<const ShaderFunction> functions, Language language,
                         ShaderPrecision precision, std::span<const OthersText> comment);
 
-/// Why a function in generated code cannot have this name, an identifier of letters, digits and '_': it is a
-/// keyword or a function of the language, or has a reserved form. Empty if the name is allowed.
+/// Why nothing in generated code can have this name, an identifier of letters, digits and '_': it is a
+/// keyword or a function of a language, or has a reserved form. Empty if the name is allowed. A name is good
+/// for all languages or for none, because code is carried from one to another.
 ///
 /// Sources: GLSL 4.60 and GLSL ES 3.20 (3.6 Keywords, 3.7 Identifiers, 8 Built-in Functions); Microsoft's
 /// HLSL reference (Keywords, Reserved Words, Intrinsic Functions); WGSL (15 Keyword and Token Summary, 17
@@ -66,6 +67,6 @@ std::string shader_code(std::span<const ShaderFunction> functions, Language lang
 /// and 6); ISO C23 6.4.1, 7.1.3 and 7.12; ISO C++20 [lex.key], [lex.name], [extern.names]; CUDA C++
 /// Programming Guide (C++ Language Extensions, Mathematical Functions); The OpenCL C Specification 3.0
 /// (6.1, 6.3, 6.15).
-std::string_view reason_to_refuse_name(std::string_view name, Language language);
+std::string_view reason_to_refuse_name(std::string_view name);
 
 }  // namespace shadefit

@@ -16,14 +16,6 @@ namespace fs = std::filesystem;
 /// PATH_MAX of Linux: it opens no file with a longer name.
 constexpr std::size_t most_name_bytes = 4096;
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 char in_small_letters(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -31,14 +23,11 @@ char in_small_letters(char c) {
 /// "http" of "http://..", in small letters; empty if there is none. Source: Berners-Lee, Fielding, Masinter
 /// 2005, RFC 3986, section 3.1.
 std::string scheme_of(std::string_view uri) {
-  const std::size_t end = uri.find(':');
-  if (end == std::string_view::npos || end == 0 || !is_letter(uri[0])) return {};
-  std::string scheme(uri.substr(0, end));
-  for (char& c : scheme) {
-    if (!is_letter(c) && !is_digit(c) && c != '+' && c != '-' && c != '.') return {};
-    c = in_small_letters(c);
-  }
-  return scheme;
+  std::string scheme(uri.substr(0, uri.find(':')));
+  std::ranges::transform(scheme, scheme.begin(), in_small_letters);
+  const bool is_one = !scheme.empty() && scheme.size() < uri.size() && scheme[0] >= 'a' && scheme[0] <= 'z' &&
+                      scheme.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.") == scheme.npos;
+  return is_one ? scheme : "";
 }
 
 constexpr std::string_view hexadecimal = "0123456789abcdef",

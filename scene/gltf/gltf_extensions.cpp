@@ -1,43 +1,28 @@
 #include "scene/gltf/gltf_extensions.hpp"
 
-#include <algorithm>
-#include <array>
-#include <span>
+#include <fmt/format.h>
 
 namespace shadefit::scene {
 namespace {
 
-/// The first seven are read. The others are geometry, coding, visibility: they change no specular term.
+/// The first six are read. The others are geometry, coding, visibility: they change no specular term.
 /// Textures in their formats are not read; a material that uses one says so.
-constexpr std::array<std::string_view, 23> covered{
-    "KHR_animation_pointer",   "KHR_lights_punctual",
-    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular",  "KHR_materials_unlit",
-    "KHR_materials_variants",  "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression", "EXT_texture_avif",
-    "EXT_texture_webp",        "KHR_draco_mesh_compression",
-    "KHR_mesh_quantization",   "KHR_meshopt_compression",
-    "KHR_node_hoverability",   "KHR_node_selectability",
-    "KHR_node_visibility",     "KHR_texture_basisu",
-    "KHR_texture_transform",   "KHR_xmp",
-    "KHR_xmp_json_ld",         "MSFT_lod",
-    "MSFT_texture_dds"};
+constexpr std::string_view covered =
+    " KHR_lights_punctual KHR_materials_ior KHR_materials_pbrSpecularGlossiness KHR_materials_specular"
+    " KHR_materials_unlit KHR_materials_variants EXT_mesh_gpu_instancing EXT_meshopt_compression"
+    " EXT_texture_avif EXT_texture_webp KHR_draco_mesh_compression KHR_mesh_quantization"
+    " KHR_meshopt_compression KHR_node_hoverability KHR_node_selectability KHR_node_visibility"
+    " KHR_texture_basisu KHR_texture_transform KHR_xmp KHR_xmp_json_ld MSFT_texture_dds ";
 
-/// They add something to a picture that a plan does not cover.
-constexpr std::array<std::string_view, 11> left_out{"EXT_lights_ies",
-                                                    "EXT_lights_image_based",
-                                                    "KHR_materials_anisotropy",
-                                                    "KHR_materials_clearcoat",
-                                                    "KHR_materials_diffuse_transmission",
-                                                    "KHR_materials_dispersion",
-                                                    "KHR_materials_emissive_strength",
-                                                    "KHR_materials_iridescence",
-                                                    "KHR_materials_sheen",
-                                                    "KHR_materials_transmission",
-                                                    "KHR_materials_volume"};
+/// They change a picture in a way that a plan does not cover.
+constexpr std::string_view left_out =
+    " EXT_lights_ies EXT_lights_image_based KHR_animation_pointer KHR_materials_anisotropy"
+    " KHR_materials_clearcoat KHR_materials_diffuse_transmission KHR_materials_dispersion"
+    " KHR_materials_emissive_strength KHR_materials_iridescence KHR_materials_sheen"
+    " KHR_materials_transmission KHR_materials_volume MSFT_lod ";
 
-bool is_among(std::span<const std::string_view> names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
+bool is_among(std::string_view names, std::string_view name) {
+  return name.find(' ') == name.npos && names.find(fmt::format(" {} ", name)) != names.npos;
 }
 
 }  // namespace

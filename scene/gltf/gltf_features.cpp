@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "scene/gltf/gltf_material.hpp"
-#include "scene/materials/powers.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -110,14 +109,13 @@ struct FeatureReading {
     const auto info = member(object, key);
     if (!info) return is_metal;
     const auto& channels = gltf.images.read(*info, {Channel::green, Channel::blue}).channels;
-    const auto range = [&](std::size_t i) {
-      return channels.empty() ? Range{0, 1} : range_of_texture(channels[i], 1);
-    };
-    if (!range(0).is_constant())
+    const Range roughness = channels.empty() ? unknown_texture : channels[0];
+    const Range metallic = channels.empty() ? unknown_texture : channels[1];
+    if (!roughness.is_constant())
       texture(object, key, "roughness texture", differs(object, "roughnessFactor", 0, 1));
-    if (!range(1).is_constant())
+    if (!metallic.is_constant())
       texture(object, key, "metallic texture", differs(object, "metallicFactor", 0, 1));
-    return is_metal && range(1).least == 1;
+    return is_metal && metallic.least == 1;
   }
 };
 

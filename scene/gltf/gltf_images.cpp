@@ -22,11 +22,6 @@ std::optional<std::filesystem::path> file_of_uri(const JsonPlace& place,
   });
 }
 
-bool is_there(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::exists(path, ignored);
-}
-
 }  // namespace
 
 GltfImages::GltfImages(const JsonPlace& root, const std::optional<Bytes>& binary,
@@ -45,42 +40,43 @@ const TextureReading& GltfImages::read(const JsonPlace& texture_info, const std:
   return read_.emplace(key, std::move(reading)).first->second;
 }
 
+std::string GltfImages::reason_unknown(const JsonPlace& uri) const {
+  const std::string_view text = text_at(uri);
+  if (is_remote(text)) return fmt::format("'{}' is not fetched", shortened(text));
+  const auto file = file_of_uri(uri, folder_);
+  std::error_code ignored;
+  if (!file || std::filesystem::exists(*file, ignored)) return {};
+  return fmt::format("'{}' is missing",
+                     file->lexically_relative(std::filesystem::weakly_canonical(folder_)).string());
+}
+
 TextureReading GltfImages::read_image(const JsonPlace& image, std::span<const Channel> channels) {
   const auto uri = member(image, "uri"), view = member(image, "bufferView");
   if (uri.has_value() == view.has_value()) refuse(image, "it must have a uri or a bufferView, and not both");
-  const auto missing = [&](const std::filesystem::path& path) {
-    const std::string name = name_in_folder(path);
-    named_as_unknown_.insert(name);
-    return TextureReading{{}, fmt::format("'{}' is missing", name)};
-  };
-  if (view) {
-    const JsonPlace found = indexed_element(*view, root_, "bufferViews");
-    const JsonPlace buffer = indexed_element(required_member(found, "buffer"), root_, "buffers");
-    const auto buffer_uri = member(buffer, "uri");
-    const auto file = buffer_uri ? file_of_uri(*buffer_uri, folder_) : std::nullopt;
-    if (file && !is_there(*file)) return missing(*file);
-    if (buffer_uri && is_remote(text_at(*buffer_uri)))
-      return {{}, fmt::format("'{}' is not fetched", shortened(text_at(*buffer_uri)))};
-    return decode(image, image.pointer, bytes_of(bytes_of_view(found)), channels);
+  const auto place = view ? std::optional(indexed_element(*view, root_, "bufferViews")) : std::nullopt;
+  const auto source = place ? member(buffer_of(*place), "uri") : uri;
+  if (source) {
+    if (std::string reason = reason_unknown(*source); !reason.empty()) return {{}, std::move(reason)};
   }
-  const std::string_view text = text_at(*uri);
-  if (is_remote(text)) return {{}, fmt::format("'{}' is not fetched", shortened(text))};
-  if (const auto file = file_of_uri(*uri, folder_)) {
-    if (!is_there(*file)) return missing(*file);
-    const std::string encoded =
-        at_place(words_of(*uri), [&] { return read_bounded(*file, most_picture_bytes); });
-    return decode(image, fmt::format("'{}'", text), bytes_of(encoded), channels);
+  const std::string encoded = place ? bytes_of_view(*place) : content_of(*uri);
+  if (picture_format(bytes_of(encoded)) == PictureFormat::other) {
+    const bool is_file = uri && !is_data(text_at(*uri));
+    const std::string name = is_file ? fmt::format("'{}'", text_at(*uri)) : image.pointer;
+    return {{}, name + " is neither PNG nor JPEG"};
   }
-  const auto data = at_place(words_of(*uri), [&] { return data_of_uri(text); });
-  return decode(image, image.pointer, bytes_of(data), channels);
+  return at_place(words_of(image), [&] {
+    return TextureReading{pictures_.ranges(bytes_of(encoded), channels), {}};
+  });
 }
 
-TextureReading GltfImages::decode(const JsonPlace& image, const std::string& name, Bytes encoded,
-                                  std::span<const Channel> channels) {
-  if (picture_format(encoded) == PictureFormat::other) return {{}, name + " is neither PNG nor JPEG"};
-  return at_place(words_of(image), [&] {
-    return TextureReading{pictures_.histograms(encoded, channels), {}};
-  });
+std::string GltfImages::content_of(const JsonPlace& uri) const {
+  const auto file = file_of_uri(uri, folder_);
+  return at_place(words_of(uri),
+                  [&] { return file ? read_bounded(*file, most_picture_bytes) : data_of_uri(text_at(uri)); });
+}
+
+JsonPlace GltfImages::buffer_of(const JsonPlace& view) const {
+  return indexed_element(required_member(view, "buffer"), root_, "buffers");
 }
 
 const std::string& GltfImages::data_of_buffer(const JsonPlace& buffer, std::string_view uri) {
@@ -92,7 +88,7 @@ const std::string& GltfImages::data_of_buffer(const JsonPlace& buffer, std::stri
 
 std::string GltfImages::bytes_of_view(const JsonPlace& view) {
   const JsonPlace length_place = required_member(view, "byteLength");
-  const JsonPlace buffer = indexed_element(required_member(view, "buffer"), root_, "buffers");
+  const JsonPlace buffer = buffer_of(view);
   const auto offset_place = member(view, "byteOffset");
   const std::size_t offset = offset_place ? whole_number(*offset_place) : 0,
                     length = whole_number(length_place);
@@ -110,24 +106,6 @@ std::string GltfImages::bytes_of_view(const JsonPlace& view) {
   const std::string_view content = uri ? data_of_buffer(buffer, text_at(*uri)) : text_of(*binary_);
   require_within(content.size());
   return std::string(content.substr(offset, length));
-}
-
-std::string GltfImages::name_in_folder(const std::filesystem::path& file) const {
-  return file.lexically_relative(std::filesystem::weakly_canonical(folder_)).string();
-}
-
-std::vector<std::string> GltfImages::missing_files() const {
-  std::set<std::string> names;
-  for (const std::string_view key : {"buffers", "images"}) {
-    for_each_element(root_, key, [&](const JsonPlace& place) {
-      const auto uri = member(place, "uri");
-      const auto file = uri ? file_of_uri(*uri, folder_) : std::nullopt;
-      if (!file || is_there(*file)) return;
-      const std::string name = name_in_folder(*file);
-      if (!named_as_unknown_.contains(name)) names.insert(name);
-    });
-  }
-  return {names.begin(), names.end()};
 }
 
 }  // namespace shadefit::scene

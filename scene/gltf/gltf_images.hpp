@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,10 +15,10 @@
 /// The pictures of a glTF document: in a buffer, in a data URI or in a separate file.
 namespace shadefit::scene {
 
-/// The result of reading a texture: histograms, or the reason why it is unknown, such as "'a.png' is
+/// The result of reading a texture: ranges, or the reason why it is unknown, such as "'a.png' is
 /// missing".
 struct TextureReading {
-  std::vector<Histogram> channels;  ///< as requested; empty if unknown
+  std::vector<Range> channels;  ///< as requested; empty if unknown
   std::string unknown;
 };
 
@@ -34,15 +33,12 @@ class GltfImages {
   /// scene's folder throw UserError.
   const TextureReading& read(const JsonPlace& texture_info, const std::vector<Channel>& channels);
 
-  /// The missing files of buffers and images, except those that were passed to `read`. Throws UserError for a
-  /// name outside the scene's folder.
-  std::vector<std::string> missing_files() const;
-
  private:
   TextureReading read_image(const JsonPlace& image, std::span<const Channel> channels);
-  TextureReading decode(const JsonPlace& image, const std::string& name, Bytes encoded,
-                        std::span<const Channel> channels);
-  std::string name_in_folder(const std::filesystem::path& file) const;
+  /// Why the bytes at a URI are unknown; empty if they are there.
+  std::string reason_unknown(const JsonPlace& uri) const;
+  std::string content_of(const JsonPlace& uri) const;
+  JsonPlace buffer_of(const JsonPlace& view) const;
   std::string bytes_of_view(const JsonPlace& view);
   const std::string& data_of_buffer(const JsonPlace& buffer, std::string_view uri);
 
@@ -52,7 +48,6 @@ class GltfImages {
   PictureReader pictures_;
   std::map<std::pair<std::string, std::vector<Channel>>, TextureReading> read_;  ///< by pointer and channels
   std::map<std::string, std::string> data_;  ///< of buffers that are data URIs, by pointer
-  std::set<std::string> named_as_unknown_;   ///< files
 };
 
 }  // namespace shadefit::scene

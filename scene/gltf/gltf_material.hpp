@@ -21,10 +21,9 @@ struct GltfReading {
 
 /// The material at `place`, the one with `index`. It may use metallic-roughness or
 /// KHR_materials_pbrSpecularGlossiness, and KHR_materials_ior, KHR_materials_specular and
-/// KHR_materials_unlit. Textures of roughness, metallic and gloss are read. Colour textures, vertex colours
-/// and animated factors count as anything from 0 to 1. Other extensions are ignored with a remark. Throws
-/// UserError naming file, place and rule. Source: Khronos Group 2021, "glTF 2.0 Specification", section 3.9
-/// and appendix B, and the extensions named.
+/// KHR_materials_unlit. Textures of roughness, metallic and gloss are read. Colour textures and vertex
+/// colours count as anything from 0 to 1. Throws UserError naming file, place and rule. Source: Khronos Group
+/// 2021, "glTF 2.0 Specification", section 3.9 and appendix B, and the extensions named.
 Material read_gltf_material(const JsonPlace& place, std::size_t index, bool has_vertex_colours,
                             const GltfReading& gltf);
 

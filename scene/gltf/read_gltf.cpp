@@ -41,18 +41,11 @@ void require_known_extensions(const JsonPlace& root) {
   });
 }
 
-/// The ignored extensions outside materials; each material remarks on its own extensions.
+/// The extensions that are not read, once each.
 std::vector<std::string> extensions_left_out(const JsonPlace& root) {
-  std::set<std::string> of_materials, remarks;
-  for_each_element(root, "materials", [&](const JsonPlace& material) {
-    const auto extensions = member(material, "extensions");
-    if (!extensions) return;
-    for (const auto& [name, ignored] : extensions->value->items()) of_materials.insert(name);
-  });
-  for_each_element(root, "extensionsUsed", [&](const JsonPlace& place) {
-    const std::string_view name = text_at(place);
-    if (is_left_out(name) && !of_materials.contains(std::string(name)))
-      remarks.insert(fmt::format("{} is left out", shortened(name)));
+  std::set<std::string> remarks;
+  for_each_element(root, "extensionsUsed", [&](const JsonPlace& name) {
+    if (is_left_out(text_at(name))) remarks.insert(fmt::format("{} is left out", shortened(text_at(name))));
   });
   return {remarks.begin(), remarks.end()};
 }
@@ -60,11 +53,9 @@ std::vector<std::string> extensions_left_out(const JsonPlace& root) {
 /// The materials that mesh primitives use. The default material has the index `materials`.
 struct MaterialUses {
   std::set<std::size_t> used, with_vertex_colours;
-  /// A file without primitives is a library, so all its materials count as used; levels of detail name
-  /// further ones.
-  bool are_all_used = false;
 
-  bool is_used(std::size_t material) const { return are_all_used || used.contains(material); }
+  /// A file without primitives is a library, so all its materials count as used.
+  bool is_used(std::size_t material) const { return used.empty() || used.contains(material); }
 };
 
 /// Includes the materials of variants, which are chosen at run time.
@@ -88,10 +79,6 @@ MaterialUses uses_of_materials(const JsonPlace& root, std::size_t materials) {
       }
     });
   });
-  uses.are_all_used = uses.used.empty();
-  for_each_element(root, "extensionsUsed", [&](const JsonPlace& name) {
-    uses.are_all_used = uses.are_all_used || text_at(name) == "MSFT_lod";
-  });
   return uses;
 }
 
@@ -110,59 +97,30 @@ std::set<std::string> animated_pointers(const JsonPlace& root) {
   return pointers;
 }
 
-/// The lights of a document.
-struct GltfLights {
-  int count = 0;  ///< the lights of nodes; if nodes have none, the defined lights
-  /// The lights that are brighter than 1, the light that the tolerance assumes; empty if there are none.
-  std::string remark = {};
-};
-
-/// "'sun' (100000 lux)", if the light is or may become brighter than 1; else empty.
-std::string bright_light(const JsonPlace& light, const std::set<std::string>& animated) {
-  const double intensity = number_or(light, "intensity", 0, std::numeric_limits<double>::infinity(), 1);
-  const bool is_animated = animated.contains(light.pointer + "/intensity");
-  if (intensity <= 1 && !is_animated) return {};
-  const auto name = member(light, "name"), type = member(light, "type");
-  const bool is_directional = type && text_at(*type) == "directional";
-  return fmt::format("{} ({:g} {}{})", name ? fmt::format("'{}'", shortened(text_at(*name))) : light.pointer,
-                     intensity, is_directional ? "lux" : "candela", is_animated ? ", animated" : "");
-}
-
-std::string remark_on(const std::vector<std::string>& bright) {
-  if (bright.empty()) return {};
-  constexpr std::size_t most_named = 4;
-  std::string names = bright.front();
-  for (std::size_t i = 1; i < std::min(bright.size(), most_named); ++i) names += ", " + bright[i];
-  if (bright.size() > most_named) names += fmt::format(" and {} more", bright.size() - most_named);
-  return fmt::format(
-      "lights above 1: {}. The tolerance is for a light of 1, which shows white: an error of these is as many "
-      "times larger before exposure",
-      names);
-}
-
-/// The lights of KHR_lights_punctual. `animated` holds the JSON pointers that are animated. Throws UserError
-/// naming file, place and rule. Source: Khronos Group 2018, "KHR_lights_punctual".
-/// Nodes are read as a flat list without their hierarchy, so cycles do no harm.
-GltfLights read_gltf_lights(const JsonPlace& root, const std::set<std::string>& animated) {
+/// Counts the lights of KHR_lights_punctual: those of nodes, or if nodes have none, all that are defined.
+/// Adds a remark on those that are brighter than 1, the light that the tolerance assumes. Nodes are read as a
+/// flat list, so cycles do no harm. Source: Khronos Group 2018, "KHR_lights_punctual".
+void read_lights(const JsonPlace& root, Scene& scene) {
   const JsonPlace holder = member_or_empty(member_or_empty(root, "extensions"), "KHR_lights_punctual");
-  std::set<std::size_t> used;
-  int referenced = 0;
+  std::set<std::string> used;
   for_each_element(root, "nodes", [&](const JsonPlace& place) {
     const auto node = extension(place, "KHR_lights_punctual");
     if (!node) return;
-    const JsonPlace index = required_member(*node, "light");
-    indexed_element(index, holder, "lights");
-    used.insert(whole_number(index));
-    ++referenced;
+    used.insert(indexed_element(required_member(*node, "light"), holder, "lights").pointer);
+    ++scene.lights;
   });
-  std::size_t defined = 0;
-  std::vector<std::string> bright;
-  for_each_element(holder, "lights", [&](const JsonPlace& place) {
-    if (const std::size_t i = defined++; referenced > 0 && !used.contains(i)) return;
-    const std::string light = bright_light(place, animated);
-    if (!light.empty()) bright.push_back(light);
+  int defined = 0, bright = 0;
+  for_each_element(holder, "lights", [&](const JsonPlace& light) {
+    ++defined;
+    const double intensity = number_or(light, "intensity", 0, std::numeric_limits<double>::infinity(), 1);
+    if (intensity > 1 && (used.empty() || used.contains(light.pointer))) ++bright;
   });
-  return {referenced > 0 ? referenced : static_cast<int>(defined), remark_on(bright)};
+  if (used.empty()) scene.lights = defined;
+  if (bright == 0) return;
+  scene.remarks.push_back(fmt::format(
+      "lights above 1: {} of {}. The tolerance is for a light of 1, which shows white: an error of "
+      "these is as many times larger before exposure",
+      bright, defined));
 }
 
 Scene read_document(const JsonPlace& root, const std::optional<Bytes>& binary,
@@ -194,11 +152,8 @@ Scene read_document(const JsonPlace& root, const std::optional<Bytes>& binary,
     scene.materials.push_back(read({&nothing, "/materials/default", root.file}, count));
     scene.materials.back().name = "default";
   }
-  const GltfLights lights = read_gltf_lights(root, animated);
-  scene.lights = lights.count;
-  scene.missing = images.missing_files();
   scene.remarks = extensions_left_out(root);
-  if (!lights.remark.empty()) scene.remarks.push_back(lights.remark);
+  read_lights(root, scene);
   return scene;
 }
 

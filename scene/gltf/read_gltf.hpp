@@ -14,10 +14,9 @@ inline constexpr std::uintmax_t most_json_bytes = 64 << 20;
 inline constexpr std::uintmax_t most_glb_bytes = 512 << 20;
 
 /// Materials and lights of a .gltf or .glb file, by its name. Files that it names are searched in its folder
-/// and below; the scene lists missing ones. If a mesh primitive names no material, or if there are no
-/// materials, the last material is the specification's default, named "default". If there are primitives,
-/// materials that none of them uses in any variant of KHR_materials_variants are unused. A factor animated by
-/// KHR_animation_pointer takes its whole range. Throws UserError naming file, place and rule, also for an
+/// and below. If a mesh primitive names no material, or if there are no materials, the last material is the
+/// specification's default, named "default". If there are primitives, materials that none of them uses in any
+/// variant of KHR_materials_variants are unused. Throws UserError naming file, place and rule, also for an
 /// unknown required extension.
 Scene read_gltf(const std::filesystem::path& file, const Conventions& conventions);
 

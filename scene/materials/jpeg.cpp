@@ -74,14 +74,14 @@ bool begin_jpeg(JpegReading& reading) {
   return true;
 }
 
-/// Counts decoded rows: grey, or anything that libjpeg converts to RGB. False if it failed.
-bool count_jpeg_rows(JpegReading& reading, std::uint8_t* row, std::span<ChannelCount> counted) {
+/// Takes decoded rows: grey, or anything that libjpeg converts to RGB. False if it failed.
+bool take_jpeg_rows(JpegReading& reading, std::uint8_t* row, std::span<ChannelCodes> taken) {
   if (setjmp(reading.back) != 0) return false;
   jpeg_decompress_struct& decoder = reading.decoder;
   jpeg_start_decompress(&decoder);
   while (decoder.output_scanline < decoder.output_height) {
     jpeg_read_scanlines(&decoder, &row, 1);
-    count_texels(row, decoder.output_width, static_cast<std::size_t>(decoder.output_components), counted);
+    take_texels(row, decoder.output_width, static_cast<std::size_t>(decoder.output_components), taken);
   }
   jpeg_finish_decompress(&decoder);
   return true;
@@ -89,7 +89,7 @@ bool count_jpeg_rows(JpegReading& reading, std::uint8_t* row, std::span<ChannelC
 
 }  // namespace
 
-void count_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> counted) {
+void take_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken) {
   JpegReading reading(encoded);
   reading.decoder.err = jpeg_std_error(&reading.errors);
   reading.decoder.client_data = &reading;
@@ -104,7 +104,7 @@ void count_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> c
   const bool is_grey = reading.decoder.jpeg_color_space == JCS_GRAYSCALE;
   reading.decoder.out_color_space = is_grey ? JCS_GRAYSCALE : JCS_RGB;
   std::vector<std::uint8_t> row(std::size_t{reading.decoder.image_width} * 3);
-  if (!count_jpeg_rows(reading, row.data(), counted)) refuse_jpeg();
+  if (!take_jpeg_rows(reading, row.data(), taken)) refuse_jpeg();
 }
 
 }  // namespace shadefit::scene

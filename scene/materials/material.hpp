@@ -13,16 +13,14 @@ namespace shadefit::scene {
 /// An interval of a quantity over a material's texels.
 struct Range {
   double least = 0, most = 0;
-  bool is_constant() const { return least == most; }
+  constexpr bool is_constant() const { return least == most; }
   bool operator==(const Range&) const = default;
 };
 
-/// A specular power and the share of a material's texels that use it.
-struct PowerShare {
-  double power;  ///< of cos^power(n.h); 0 is a constant, not a lobe
-  double share;  ///< they sum to 1
-  bool operator==(const PowerShare&) const = default;
-};
+/// The products of numbers that are not negative.
+constexpr Range operator*(const Range& a, const Range& b) {
+  return {a.least * b.least, a.most * b.most};
+}
 
 /// The dependence of the reflectance on the angle.
 enum class FresnelTerm {
@@ -49,8 +47,7 @@ struct Material {
   /// even if the ranges are equal.
   bool has_unread_colours = false;
 
-  /// By rising power, at least one. A constant power is a single share.
-  std::vector<PowerShare> powers;
+  Range power;                                      ///< of cos^power(n.h); 0 is a constant, not a lobe
   PowerTexture power_texture = PowerTexture::none;  ///< `none` if all texels agree
   bool is_power_textured() const { return power_texture != PowerTexture::none; }
 
@@ -81,9 +78,7 @@ struct Conventions {
 };
 
 /// The least roughness that an engine keeps: MIN_PERCEPTUAL_ROUGHNESS of Filament,
-/// shaders/src/common_material.fs at 0371a805 (0.089 on mobile processors). three.js has 0.0525,
-/// src/renderers/shaders/ShaderChunk/ lights_physical_fragment.glsl.js at 03bf3954, and the specification of
-/// glTF none.
+/// shaders/src/common_material.fs at 0371a805. three.js has 0.0525.
 inline constexpr double least_engine_roughness = 0.045;
 
 /// At this power a lobe is narrower than any light. Larger powers are reduced to it, with a remark.
@@ -102,8 +97,6 @@ struct Scene {
   std::vector<Material> materials;
   Conventions conventions = {};  ///< for the conversion of its numbers to powers
   int lights = 0;                ///< punctual lights; 0 if the files name none
-  /// Missing files that a plan does not need: geometry, buffers.
-  std::vector<std::string> missing = {};
   /// The names of unused materials. They are not in `materials`.
   std::vector<std::string> unused = {};
   /// What a plan does not cover, of lights and of the files as a whole, one line each.

@@ -58,9 +58,9 @@ bool begin_png(PngReading& reading) {
   return true;
 }
 
-/// Counts decoded rows. An interlaced picture comes as seven smaller ones; the position of a texel does not
-/// matter for a count. False if libpng failed.
-bool count_png_rows(PngReading& reading, std::uint8_t* row, std::span<ChannelCount> counted) {
+/// Takes decoded rows. An interlaced picture comes as seven smaller ones; the position of a texel does not
+/// matter. False if libpng failed.
+bool take_png_rows(PngReading& reading, std::uint8_t* row, std::span<ChannelCodes> taken) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
   const bool is_interlaced = png_get_interlace_type(reading.png, reading.info) != PNG_INTERLACE_NONE;
   const auto width = static_cast<png_uint_32>(reading.size.width);
@@ -70,7 +70,7 @@ bool count_png_rows(PngReading& reading, std::uint8_t* row, std::span<ChannelCou
     const png_uint_32 rows = columns == 0 ? 0 : is_interlaced ? PNG_PASS_ROWS(height, pass) : height;
     for (png_uint_32 y = 0; y < rows; ++y) {
       png_read_row(reading.png, row, nullptr);
-      count_texels(row, columns, reading.components, counted);
+      take_texels(row, columns, reading.components, taken);
     }
   }
   return true;
@@ -78,7 +78,7 @@ bool count_png_rows(PngReading& reading, std::uint8_t* row, std::span<ChannelCou
 
 }  // namespace
 
-void count_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> counted) {
+void take_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken) {
   PngReading reading(encoded);
   reading.png =
       png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, end_png_reading, pass_over_png_warning);
@@ -88,7 +88,7 @@ void count_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> co
   if (!begin_png(reading)) refuse();
   check(reading.size);
   std::vector<std::uint8_t> row(png_get_rowbytes(reading.png, reading.info));
-  if (!count_png_rows(reading, row.data(), counted)) refuse();
+  if (!take_png_rows(reading, row.data(), taken)) refuse();
 }
 
 }  // namespace shadefit::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,34 +18,36 @@ struct PictureSize {
 /// Called with the size in the header before anything is decoded; throws if it is too large.
 using SizeCheck = std::function<void(PictureSize)>;
 
-/// The counts of one channel.
-struct ChannelCount {
+/// The least and the largest code of one channel.
+struct ChannelCodes {
   Channel channel;
-  Histogram counts{};
+  std::uint8_t least = 255, most = 0;
 };
 
-/// Counts consecutive texels of `components` bytes each: grey, grey and alpha, RGB, RGBA.
-inline void count_texels(const std::uint8_t* texels, std::size_t number, std::size_t components,
-                         std::span<ChannelCount> counted) {
+/// Takes consecutive texels of `components` bytes each: grey, grey and alpha, RGB, RGBA.
+inline void take_texels(const std::uint8_t* texels, std::size_t number, std::size_t components,
+                        std::span<ChannelCodes> taken) {
   const bool is_coloured = components >= 3, has_alpha = components % 2 == 0;
-  for (ChannelCount& count : counted) {
-    if (count.channel == Channel::alpha && !has_alpha) {
-      count.counts[255] += static_cast<std::uint32_t>(number);
+  for (ChannelCodes& codes : taken) {
+    if (codes.channel == Channel::alpha && !has_alpha) {
+      codes.most = 255;
       continue;
     }
-    const std::size_t component = count.channel == Channel::alpha ? components - 1
-                                  : is_coloured                   ? static_cast<std::size_t>(count.channel)
+    const std::size_t component = codes.channel == Channel::alpha ? components - 1
+                                  : is_coloured                   ? static_cast<std::size_t>(codes.channel)
                                                                   : 0;
     const std::uint8_t* const end = texels + number * components;
-    for (const std::uint8_t* texel = texels; texel != end; texel += components)
-      ++count.counts[texel[component]];
+    for (const std::uint8_t* texel = texels; texel != end; texel += components) {
+      codes.least = std::min(codes.least, texel[component]);
+      codes.most = std::max(codes.most, texel[component]);
+    }
   }
 }
 
 // Both decode row by row, so they need memory for one row only; but a progressive JPEG needs six bytes per
 // texel. Both throw UserError with the decoder's words.
 
-void count_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> counted);
-void count_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> counted);
+void take_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken);
+void take_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken);
 
 }  // namespace shadefit::scene

@@ -15,7 +15,7 @@ PictureFormat picture_format(Bytes encoded) {
   return text.starts_with("\xFF\xD8\xFF") ? PictureFormat::jpeg : PictureFormat::other;
 }
 
-std::vector<Histogram> PictureReader::histograms(Bytes encoded, std::span<const Channel> channels) {
+std::vector<Range> PictureReader::ranges(Bytes encoded, std::span<const Channel> channels) {
   const SizeCheck check = [&](PictureSize size) {
     // Both formats store width and height in at most 31 bits, so the product is exact.
     const std::uint64_t pixels = size.width * size.height;
@@ -30,14 +30,13 @@ std::vector<Histogram> PictureReader::histograms(Bytes encoded, std::span<const 
     }
     pixels_left_ -= pixels;
   };
-  std::vector<ChannelCount> counted;
-  for (const Channel channel : channels) counted.push_back({channel});
+  std::vector<ChannelCodes> taken;
+  for (const Channel channel : channels) taken.push_back({channel});
   const PictureFormat format = picture_format(encoded);
   if (format == PictureFormat::other) throw UserError("the picture is neither PNG nor JPEG");
-  const auto count_pixels = format == PictureFormat::png ? count_png : count_jpeg;
-  count_pixels(encoded, check, counted);
-  std::vector<Histogram> found;
-  for (const ChannelCount& count : counted) found.push_back(count.counts);
+  (format == PictureFormat::png ? take_png : take_jpeg)(encoded, check, taken);
+  std::vector<Range> found;
+  for (const ChannelCodes& codes : taken) found.push_back({codes.least / 255.0, codes.most / 255.0});
   return found;
 }
 

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "scene/files/bytes.hpp"
+#include "scene/materials/material.hpp"
 
-/// Histograms of the channels of a picture: all that a material needs from a texture.
+/// The ranges of the channels of a picture: all that a material needs from a texture.
 namespace shadefit::scene {
 
 enum class Channel { red, green, blue, alpha };
 
-/// The number of texels with each of the 256 codes.
-using Histogram = std::array<std::uint32_t, 256>;
+/// A texture of which nothing is known.
+inline constexpr Range unknown_texture{0, 1};
 
 /// 8192 x 8192, the largest texture that most graphics processors of the last ten years accept. A header may
 /// claim more, and a few thousand bytes of PNG can hold it.
@@ -30,17 +30,17 @@ inline constexpr std::uint64_t most_scene_pixels = std::uint64_t{4} << 30;
 enum class PictureFormat { png, jpeg, other };
 PictureFormat picture_format(Bytes encoded);
 
-/// Reads the pictures of one scene and counts their pixels.
+/// Reads the pictures of one scene and limits their pixels.
 class PictureReader {
  public:
   explicit PictureReader(std::uint64_t pixels = most_scene_pixels) : pixels_left_(pixels) {}
 
-  /// The histograms of channels of a PNG or a JPEG, in the order of `channels`. In a grey picture all colours
-  /// are the grey value; a missing alpha is 255; 16-bit channels are rounded to 8 bits. No colour space is
-  /// applied. The size is read first, and a picture that is too large is not decoded. Throws UserError for a
-  /// file that is neither PNG nor JPEG, for a damaged one, and for more pixels than `most_pixels` or than
+  /// The values in [0, 1] of channels of a PNG or a JPEG, in the order of `channels`. In a grey picture all
+  /// colours are the grey value; a missing alpha is 1; 16-bit channels are rounded to 8 bits. No colour space
+  /// is applied. The size is read first, and a picture that is too large is not decoded. Throws UserError for
+  /// a file that is neither PNG nor JPEG, for a damaged one, and for more pixels than `most_pixels` or than
   /// remain for the scene.
-  std::vector<Histogram> histograms(Bytes encoded, std::span<const Channel> channels);
+  std::vector<Range> ranges(Bytes encoded, std::span<const Channel> channels);
 
  private:
   std::uint64_t pixels_left_;

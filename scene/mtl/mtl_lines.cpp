@@ -81,26 +81,23 @@ int illumination_of(const MtlLine& line) {
   return static_cast<int>(number);
 }
 
-/// An option of a map, and the most words that follow it: a first word, then numbers.
-struct MapOption {
-  std::string_view name;
-  int most_words;
-};
-constexpr std::array map_options{
-    MapOption{"-imfchan", 1}, MapOption{"-blendu", 1}, MapOption{"-blendv", 1},     MapOption{"-bm", 1},
-    MapOption{"-boost", 1},   MapOption{"-cc", 1},     MapOption{"-clamp", 1},      MapOption{"-mm", 2},
-    MapOption{"-texres", 1},  MapOption{"-type", 1},   MapOption{"-colorspace", 1}, MapOption{"-o", 3},
-    MapOption{"-s", 3},       MapOption{"-t", 3}};
+/// The most words that follow an option of a map: a first word, then numbers. 0: there is no such option.
+int words_of_option(std::string_view name) {
+  constexpr std::array of_one{"-imfchan", "-blendu", "-blendv", "-bm",   "-boost",
+                              "-cc",      "-clamp",  "-texres", "-type", "-colorspace"};
+  if (name == "-o" || name == "-s" || name == "-t") return 3;
+  if (name == "-mm") return 2;
+  return std::ranges::find(of_one, name) != of_one.end() ? 1 : 0;
+}
 
 ScalarMap map_of(std::string_view values) {
   ScalarMap map;
   for (;;) {
     const Words option = words_of_line(values);
-    const auto known = std::find_if(map_options.begin(), map_options.end(),
-                                    [&](const MapOption& o) { return o.name == option.key; });
-    if (known == map_options.end()) break;
+    const int most_words = words_of_option(option.key);
+    if (most_words == 0) break;
     values = option.values;
-    for (int i = 0; i < known->most_words; ++i) {
+    for (int i = 0; i < most_words; ++i) {
       const Words word = words_of_line(values);
       double ignored = 0;
       if (i > 0 && read_number(word.key, ignored) == std::errc::invalid_argument) break;

@@ -33,14 +33,12 @@ struct MtlEntry {
   std::set<std::string> left_out = {};  ///< keys of other lobes (Pc, Ps and aniso) with a value that is not 0
 };
 
-/// The materials in the order of the file. Lines of Ns, Ni, Pr, Pm, Pc, Ps, aniso, Kd, Ks, Ke, d, Tr and
-/// illum have a key and a number; Kd, Ks and Ke have three numbers or one for all channels. The numbers must
-/// be finite and not negative, Pr and Pm at most 1. Lines of map_Ns, map_Ka, map_Pr, map_Pm, map_Ks, map_Kd,
-/// map_Ke, map_d, bump, map_bump and norm have options, which begin with "-", then a file name, which may
-/// have blanks. Only the option -imfchan r|g|b is used; any other channel counts as red. The last line of a
-/// key counts. Throws UserError naming file, line, text and rule, also for more than `most` materials and for
-/// a binary file. Source: Ramey, Rose, Tyerman 1995, "MTL material format (Lightwave, OBJ)"; for Pr and Pm
-/// the extension to physically based shading of Exocortex Technologies.
+/// The materials in the order of the file. Numbers must be finite and not negative, Pr and Pm at most 1; Kd,
+/// Ks and Ke have three numbers or one for all channels. Maps have options, which begin with "-", then a file
+/// name, which may have blanks; only the option -imfchan r|g|b is used, and any other channel counts as red.
+/// The last line of a key counts. Throws UserError naming file, line, text and rule, also for more than
+/// `most` materials and for a binary file. Source: Ramey, Rose, Tyerman 1995, "MTL material format
+/// (Lightwave, OBJ)"; for Pr and Pm the extension to physically based shading of Exocortex Technologies.
 std::vector<MtlEntry> parse_mtl(std::string_view text, const std::string& file, std::size_t most);
 
 /// A line's first word, and the rest without the blanks around it.

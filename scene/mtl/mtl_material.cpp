@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <system_error>
 
 #include "approx/fresnel.hpp"
@@ -24,7 +25,7 @@ struct MtlReading {
   Material material;
   Range metallic = {};
 
-  Histogram read(const ScalarMap& map, std::string_view what) {
+  Range read(const ScalarMap& map, std::string_view what) {
     return reader.read(map, what, material.unknowns);
   }
 
@@ -43,16 +44,11 @@ struct MtlReading {
 void read_shininess(MtlReading& reading) {
   Material& material = reading.material;
   if (!reading.entry.shininess) material.remarks.push_back("Ns is missing and is taken for 1");
-  const double shininess = reading.entry.shininess.value_or(1);
+  const double number = reading.entry.shininess.value_or(1);
+  Range shininess{number, number};
   const bool is_scaled = !reading.conventions.are_maps_pbr && !reading.entry.shininess_map.name.empty();
-  if (is_scaled) {
-    const Histogram texels = reading.read(reading.entry.shininess_map, "shininess texture");
-    take_powers(material, power_shares(texels, shininess, [](double power) { return power; }),
-                PowerTexture::power);
-  } else {
-    material.powers = {{shininess, 1}};
-  }
-  limit_powers(material, "Ns");
+  if (is_scaled) shininess = shininess * reading.read(reading.entry.shininess_map, "shininess texture");
+  take_powers(material, shininess, std::identity(), PowerTexture::power, "Ns");
 }
 
 /// Ks as a factor, without a Fresnel term.
@@ -66,8 +62,8 @@ void read_phong(MtlReading& reading) {
   const bool is_black =
       std::all_of(colour.begin(), colour.end(), [](double channel) { return channel == 0; });
   if (!is_specular || is_black) {
-    material.powers = {{reading.entry.shininess.value_or(0), 1}};
-    limit_powers(material, "Ns");
+    const double shininess = reading.entry.shininess.value_or(0);
+    take_powers(material, {shininess, shininess}, std::identity(), PowerTexture::none, "Ns");
     return;
   }
   if (*std::max_element(colour.begin(), colour.end()) > most_factor) {
@@ -84,27 +80,26 @@ void read_phong(MtlReading& reading) {
 void read_roughness(MtlReading& reading) {
   Material& material = reading.material;
   const ScalarMap* const map = reading.roughness_map();
-  const auto roughness = reading.entry.roughness;
-  const PowerOf power = [&](double value) { return power_of_roughness(value, reading.conventions); };
+  const double factor = reading.entry.roughness.value_or(1);
+  Range roughness{factor, factor};
+  PowerTexture texture = PowerTexture::none;
   if (map != nullptr) {
-    take_powers(material, power_shares(reading.read(*map, "roughness texture"), roughness.value_or(1), power),
-                PowerTexture::roughness);
-  } else if (roughness) {
-    material.powers = {{power(*roughness), 1}};
-  } else if (reading.entry.shininess) {
-    read_shininess(reading);
-  } else {
+    roughness = roughness * reading.read(*map, "roughness texture");
+    texture = PowerTexture::roughness;
+  } else if (!reading.entry.roughness) {
+    if (reading.entry.shininess) return read_shininess(reading);
     material.unknowns.push_back("roughness is missing");
-    material.powers = power_shares(unknown_texture(), 1, power);
+    roughness = unknown_texture;
   }
-  limit_powers(material, "the specular power");
+  const auto power = [&](double value) { return power_of_roughness(value, reading.conventions); };
+  take_powers(material, roughness, power, texture);
 }
 
 Range read_metallic(MtlReading& reading) {
   const ScalarMap* const map = reading.metallic_map();
   const double metallic = reading.entry.metallic.value_or(map != nullptr ? 1 : 0);
-  if (map == nullptr) return {metallic, metallic};
-  return range_of_texture(reading.read(*map, "metallic texture"), metallic);
+  const Range range{metallic, metallic};
+  return map == nullptr ? range : range * reading.read(*map, "metallic texture");
 }
 
 /// The metallic workflow, with Kd as its base colour.
@@ -160,13 +155,12 @@ Features features_of(const MtlReading& reading) {
 
 }  // namespace
 
-Histogram MtlMapReader::read(const ScalarMap& map, std::string_view what,
-                             std::vector<std::string>& unknowns) {
+Range MtlMapReader::read(const ScalarMap& map, std::string_view what, std::vector<std::string>& unknowns) {
   const std::filesystem::path path = path_within(folder_, map.name);
   std::error_code ignored;
   const auto unknown = [&](std::string_view reason) {
     unknowns.push_back(fmt::format("{} '{}' {}", what, shortened(map.name), reason));
-    return unknown_texture();
+    return unknown_texture;
   };
   const std::pair key{path.string(), map.channel};
   const auto known = read_.find(key);
@@ -174,10 +168,10 @@ Histogram MtlMapReader::read(const ScalarMap& map, std::string_view what,
   if (!std::filesystem::exists(path, ignored)) return unknown("is missing");
   const std::string encoded = read_bounded(path, most_picture_bytes);
   if (picture_format(bytes_of(encoded)) == PictureFormat::other) return unknown("is neither PNG nor JPEG");
-  const std::vector<Histogram> counted = at_place(fmt::format("'{}'", path.string()), [&] {
-    return pictures_.histograms(bytes_of(encoded), {&map.channel, 1});
+  const std::vector<Range> ranges = at_place(fmt::format("'{}'", path.string()), [&] {
+    return pictures_.ranges(bytes_of(encoded), {&map.channel, 1});
   });
-  return read_.emplace(key, counted.front()).first->second;
+  return read_.emplace(key, ranges.front()).first->second;
 }
 
 Material mtl_material(const MtlEntry& entry, const std::string& file, MtlMapReader& reader,

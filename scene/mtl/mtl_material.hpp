@@ -17,14 +17,14 @@ class MtlMapReader {
  public:
   explicit MtlMapReader(const std::filesystem::path& folder) : folder_(folder) {}
 
-  /// The histogram of a map. If it is missing or neither PNG nor JPEG, the histogram is uniform and `what` is
-  /// added to `unknowns`. Throws UserError for a damaged picture or a name outside the folder.
-  Histogram read(const ScalarMap& map, std::string_view what, std::vector<std::string>& unknowns);
+  /// The range of a map. If it is missing or neither PNG nor JPEG, the range is that of an unknown texture
+  /// and `what` is added to `unknowns`. Throws UserError for a damaged picture or a name outside the folder.
+  Range read(const ScalarMap& map, std::string_view what, std::vector<std::string>& unknowns);
 
  private:
   std::filesystem::path folder_;
   PictureReader pictures_;
-  std::map<std::pair<std::string, Channel>, Histogram> read_;
+  std::map<std::pair<std::string, Channel>, Range> read_;
 };
 
 /// The material as documented at `read_mtl`. Throws UserError naming file, line and rule.

@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "fit/input/bounded_file.hpp"
@@ -37,43 +38,18 @@ std::vector<std::string> libraries_on_line(std::string_view values, const std::f
   return names;
 }
 
-/// The names on usemtl lines. A file without such lines is a list of libraries, and all names count as used.
-class UsedNames {
- public:
-  void add(std::string_view name) {
-    if (name == last_) return;
-    last_ = shortened(name);
-    is_any_ = true;
-    // beyond the most possible materials, all names count as used
-    if (names_.size() <= most_materials) names_.insert(last_);
-  }
-  bool contains(const std::string& name) const {
-    return !is_any_ || names_.contains(name) || names_.size() > most_materials;
-  }
-
- private:
-  std::set<std::string, std::less<>> names_;
-  std::string last_;
-  bool is_any_ = false;
-};
-
 /// Calls `on_line` with the number and the text of each line; long lines are cut.
 template <class OnLine>
 void read_lines(const std::filesystem::path& file, const OnLine& on_line) {
   require_size(file, most_obj_bytes);
   std::ifstream in(file, std::ios::binary);
-  std::array<char, 65536> block;
-  std::string line;
-  std::size_t number = 1;
-  while (in.read(block.data(), block.size()), in.gcount() > 0) {
-    for (const char c : std::string_view(block.data(), static_cast<std::size_t>(in.gcount()))) {
-      if (c != '\n' && line.size() < most_line_bytes) line.push_back(c);
-      if (c != '\n') continue;
-      on_line(number++, line);
-      line.clear();
-    }
+  std::array<char, most_line_bytes> line;
+  for (std::size_t number = 1; in.getline(line.data(), line.size()) || in.gcount() > 0; ++number) {
+    on_line(number, std::string_view(line.data()));
+    if (!in.fail() || in.eof()) continue;
+    in.clear();
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  on_line(number, line);
 }
 
 }  // namespace
@@ -95,12 +71,12 @@ Scene read_obj(const std::filesystem::path& file, const Conventions& conventions
   std::vector<Material> materials;
   std::set<std::filesystem::path> read;
   std::set<std::string, std::less<>> lines;
-  UsedNames used;
+  std::set<std::string> used;  // a file without a line usemtl is a list of libraries: all count as used
   const std::filesystem::path folder = folder_of(file);
   read_lines(file, [&](std::size_t number, std::string_view line) {
     std::string_view text = without_mark(line);
     const Words words = words_of_line(next_line(text));
-    if (words.key == "usemtl") used.add(words.values);
+    if (words.key == "usemtl" && used.size() <= most_materials) used.insert(shortened(words.values));
     if (words.key != "mtllib" || !lines.emplace(words.values).second) return;
     at_place(fmt::format("'{}', line {}", file.string(), number), [&] {
       if (lines.size() > most_library_lines)
@@ -116,7 +92,7 @@ Scene read_obj(const std::filesystem::path& file, const Conventions& conventions
     });
   });
   for (Material& material : materials) {
-    if (used.contains(material.name)) {
+    if (used.empty() || used.contains(material.name) || used.size() > most_materials) {
       scene.materials.push_back(std::move(material));
     } else {
       scene.unused.push_back(std::move(material.name));

@@ -23,26 +23,14 @@ struct ChosenLobe {
   LobeForm form;
   double error = 0;     ///< proven, in exact arithmetic
   double rounding = 0;  ///< added by the precision
-  /// For a form with its own constants: the mean error of the displayed value over the scene's powers,
-  /// weighted by their use; and the same for the constants with the smallest largest error. Else 0.
-  double mean_error = 0, mean_error_of_level = 0;
-  int fits_run = 0;
-  std::string cheaper = {};  ///< why no cheaper form: "a Gaussian is off by 0.02"; empty if there is none
+  std::string reason;   ///< why it is the cheapest: "the best Gaussian, x = 0.3, is off by 0.02"
 };
-
-/// The most fits of a lobe: an offset, and two, three or four slopes, by the largest error; then the chosen
-/// form by the mean error.
-inline constexpr int lobe_fits = 5;
 
 /// Tries the forms by rising cost, with EXP2 and LOG2 counted as four instructions each: a constant;
 /// multiplications for one whole power; a Gaussian (5) without or with an offset; two slopes (7), three (8)
 /// and four (9); and the power itself (9). Four slopes avoid LOG2: near 1 a GPU's LOG2 has an absolute error
 /// of 2^-21 by the Vulkan specification, and the power multiplies it. `lobes` has at least one.
-///
-/// A form is accurate enough if its constants with the smallest largest error are, over all powers from the
-/// least to the largest. The rest of the budget reduces the mean error over the used powers, weighted by the
-/// share of texels. The constants move towards those with the smallest mean error as far as the proven bound
-/// allows without a more expensive exp2.
+/// The constants are those with the smallest largest error, over all powers from the least to the largest.
 ChosenLobe choose_lobe(const Lobes& lobes, const LobeBudget& budget, const Checkpoint& checkpoint);
 
 }  // namespace shadefit::scene

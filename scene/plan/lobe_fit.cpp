@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
+#include <cmath>
 #include <numbers>
 
 #include "approx/shading.hpp"
@@ -39,52 +41,16 @@ std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
   return kept;
 }
 
-/// Merges powers within 10 % into the first of them.
-std::vector<UsedPower> taken_together(std::vector<UsedPower> used) {
-  std::ranges::sort(used, {}, &UsedPower::power);
-  std::vector<UsedPower> kept;
-  for (const UsedPower& one : used) {
-    if (one.power == 0) continue;
-    if (kept.empty() || one.power > neighbours * kept.back().power) {
-      kept.push_back(one);
-    } else {
-      kept.back().share += one.share;
-    }
-  }
-  return kept;
-}
-
 /// An upper bound of the multiplier of a lobe at y: its factor times the light there.
 double brightest_at(double factor, double y) {
   return factor * std::min(1.0, 2 * (1 - y));
 }
 
 /// The weight of a small error in the logarithm of a displayed value.
-constexpr double little = 1e-3;
 double worth_of_logarithm(ShownScale scale, double shown) {
+  constexpr double little = 1e-3;
   return apart_by_ratio(scale, shown, little) / little;
 }
-
-/// log2(c) by slopes, one row for each place.
-struct SlopeRows {
-  Eigen::MatrixXd powers;
-  Eigen::VectorXd target;
-
-  template <class Places>
-  SlopeRows(const Places& places, std::size_t count) : powers(places.size(), count), target(places.size()) {
-    for (Eigen::Index i = 0; i < powers.rows(); ++i) {
-      const auto& place = places[static_cast<std::size_t>(i)];
-      for (Eigen::Index j = 0; j < powers.cols(); ++j)
-        powers(i, j) = std::pow(-place.y, static_cast<double>(j + 1));
-      target[i] = place.log_cosine / std::numbers::ln2;
-    }
-  }
-
-  /// Least squares with each row times its `root`.
-  Eigen::VectorXd solve(const Eigen::VectorXd& root) const {
-    return least_squares(root.asDiagonal() * powers, root.cwiseProduct(target));
-  }
-};
 
 /// Rounds each slope to a float.
 std::vector<double> rounded(const Eigen::VectorXd& slopes) {
@@ -95,9 +61,8 @@ std::vector<double> rounded(const Eigen::VectorXd& slopes) {
 
 }  // namespace
 
-LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale,
-                       std::span<const UsedPower> used)
-    : lobes_(thinned(lobes)), used_(taken_together({used.begin(), used.end()})), scale_(scale) {
+LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale)
+    : lobes_(thinned(lobes)), scale_(scale) {
   for (const Lobe& lobe : lobes_) {
     const auto add = [&](double y, double log_cosine) {
       samples_.push_back({lobe.power, y, log_cosine, std::log(brightest_at(lobe.factor, y))});
@@ -108,96 +73,20 @@ LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale,
   }
 }
 
-std::vector<LobeFitter::WeightedPlace> LobeFitter::weighted_places() const {
-  std::vector<WeightedPlace> all;
-  const auto add = [&](double y, double log_cosine, double width) {
-    WeightedPlace place{y, log_cosine, width, 0};
-    const auto shown = [&](double power, double factor) {
-      return brightest_at(factor, y) * std::exp(power * log_cosine);
-    };
+void LobeFitter::weigh_places() {
+  const auto add = [&](double y, double log_cosine) {
+    double worth = 0;
     for (const Lobe& lobe : lobes_) {
-      const double worth = worth_of_logarithm(scale_, shown(lobe.power, lobe.factor));
-      place.worth = std::max(place.worth, lobe.power * worth);
+      const double shown = brightest_at(lobe.factor, y) * std::exp(lobe.power * log_cosine);
+      worth = std::max(worth, lobe.power * worth_of_logarithm(scale_, shown));
     }
-    all.push_back(place);
+    places_.push_back({y, log_cosine, worth});
   };
-  double y = first_t / std::max(1.0, lobes_.back().power);
-  for (; y < 0.5; y *= step) add(y, std::log1p(-y), y * (step - 1));
-  for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c), c * (step - 1));
-  return all;
+  for (double y = first_t / std::max(1.0, lobes_.back().power); y < 0.5; y *= step) add(y, std::log1p(-y));
+  for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c));
 }
 
-LobeFitter::MeanSquare LobeFitter::mean_square(const LobeForm& form) const {
-  MeanSquare mean;
-  for (const WeightedPlace& place : places_) {
-    const double slope = std::numbers::ln2 * log2_by_slopes(-place.y, form.slopes);
-    PlaceSums sums{};
-    for (const UsedPower& one : used_) {
-      const double log_target = one.power * place.log_cosine, log_form = (one.power + form.offset) * slope;
-      const double log_larger = std::max(log_target, log_form);
-      if (log_larger < -last_t) continue;
-      const double shown = brightest_at(one.factor, place.y) * std::exp(log_larger);
-      const double apart = log_form - log_target;
-      const double error = apart_by_ratio(scale_, shown, apart);
-      mean.square += place.width * one.share * error * error;
-      const double worth = std::abs(apart) > little ? error / apart : worth_of_logarithm(scale_, shown);
-      double sum = place.width * one.share * worth * worth;
-      for (double& of_power : sums) {
-        of_power += sum;
-        sum *= one.power;
-      }
-    }
-    mean.places.push_back(sums);
-  }
-  return mean;
-}
-
-double LobeFitter::mean_error(const LobeForm& form) const {
-  return std::sqrt(mean_square(form).square);
-}
-
-/// The error of a lobe's logarithm is n bend - x y, where bend is the error of log c by the slopes. With
-/// fixed weights of the logarithms, the problem is linear.
-LobeForm LobeFitter::reweighted(LobeForm form, const MeanSquare& mean) const {
-  if (form.slopes.size() == 1) {
-    double along = 0, square = 0;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const WeightedPlace& place = places_[i];
-      const double bend = std::numbers::ln2 * log2_by_slopes(-place.y, form.slopes) - place.log_cosine;
-      along += mean.places[i][1] * bend * place.y;
-      square += mean.places[i][0] * place.y * place.y;
-    }
-    if (square > 0) form.offset = std::max(0.0, along / square);
-    return form;
-  }
-  const SlopeRows rows(places_, form.slopes.size());
-  Eigen::VectorXd root(rows.target.size());
-  for (Eigen::Index i = 0; i < root.size(); ++i)
-    root[i] = std::sqrt(mean.places[static_cast<std::size_t>(i)][2]);
-  form.slopes = rounded(rows.solve(root));
-  return form;
-}
-
-LobeForm LobeFitter::best_on_the_mean(LobeForm form) {
-  ++fits_run_;
-  if (places_.empty()) places_ = weighted_places();
-  MeanSquare best = mean_square(form);
-  constexpr int most_times = 2;  // a third gains less than a percent
-  for (int time = 0; time < most_times; ++time) {
-    const LobeForm next = reweighted(form, best);
-    MeanSquare mean = mean_square(next);
-    constexpr double hardly = 0.98;  // stops if the square falls by less than 2 %, the error by less than 1 %
-    const bool goes_on = mean.square < hardly * best.square;
-    if (mean.square < best.square) {
-      form = next;
-      best = std::move(mean);
-    }
-    if (!goes_on) break;
-  }
-  return form;
-}
-
-double LobeFitter::sampled_error(std::span<const double> slopes, double offset, double enough) const {
+double LobeFitter::sampled_error(std::span<const double> slopes, double offset) const {
   const double white = on_scale(scale_, 1);
   double largest = 0, log_largest = -HUGE_VAL;
   for (const Sample& sample : samples_) {
@@ -209,15 +98,13 @@ double LobeFitter::sampled_error(std::span<const double> slopes, double offset, 
     if (log_shown < log_largest) continue;  // nor by more than the whole value
     const double error = apart_by_ratio(scale_, std::exp(log_shown), form - target);
     if (error <= largest) continue;
-    if (error > enough) return error;
     largest = error;
     log_largest = std::log(from_scale(scale_, largest));
   }
   return largest;
 }
 
-double LobeFitter::best_offset() {
-  ++fits_run_;
+double LobeFitter::best_offset() const {
   const std::array slope{natural_slope};
   constexpr double most = 16;
   constexpr int bits = 20;
@@ -228,14 +115,19 @@ double LobeFitter::best_offset() {
 }
 
 std::vector<double> LobeFitter::best_slopes(int count) {
-  ++fits_run_;
-  if (places_.empty()) places_ = weighted_places();
-  const SlopeRows rows(places_, static_cast<std::size_t>(count));
-  Eigen::VectorXd worth(rows.target.size());
-  for (Eigen::Index i = 0; i < worth.size(); ++i) worth[i] = places_[static_cast<std::size_t>(i)].worth;
-  const auto step = level_step(-rows.target.cwiseProduct(worth), worth.asDiagonal() * rows.powers, 0);
+  if (places_.empty()) weigh_places();
+  // log2(c) by slopes, one row for each place
+  Eigen::MatrixXd powers(std::ssize(places_), count);
+  Eigen::VectorXd target(powers.rows()), worth(powers.rows());
+  for (Eigen::Index i = 0; i < powers.rows(); ++i) {
+    const WeightedPlace& place = places_[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < count; ++j) powers(i, j) = std::pow(-place.y, static_cast<double>(j + 1));
+    target[i] = place.log_cosine / std::numbers::ln2;
+    worth[i] = place.worth;
+  }
+  const auto step = level_step(-target.cwiseProduct(worth), worth.asDiagonal() * powers, 0);
   // Lobes so dull that no place counts for all slopes have those of least squares.
-  if (!step) return rounded(rows.solve(worth));
+  if (!step) return rounded(least_squares(worth.asDiagonal() * powers, worth.cwiseProduct(target)));
   return rounded(Eigen::Map<const Eigen::VectorXd>(step->lowest.unknowns.data(), count));
 }
 

@@ -15,26 +15,12 @@ double largest_reflectance(const Material& material);
 /// The largest F (n + 2)/8 of a material at that power.
 double largest_factor(const Material& material, double power);
 
-/// The least and the largest power of a material.
-Range powers_of(const Material& material);
-
-/// A used power, and its share of the shaded texels.
-struct UsedPower {
-  double power;
-  double factor;  ///< the largest F (n + 2)/8
-  double share;   ///< those of a scene's lobes sum to 1
-};
-
 /// The lobes of several materials.
 struct Lobes {
-  std::vector<WeightedPower> all;  ///< each power once, with its largest factor, by rising power
-  /// The powers of materials and texels, with equal weight for each material. Each step is represented by its
-  /// lowest power.
-  std::vector<UsedPower> used;
+  std::vector<WeightedPower> all;   ///< each power once, with its largest factor, by rising power
   std::set<PowerTexture> textures;  ///< that powers are read from; only `none`: no power varies by pixel
   bool has_schlick = false;         ///< a reflectance rises with the angle
   bool is_coloured = false;         ///< a reflectance may differ between the channels
-  bool has_metal = false;           ///< a reflectance at normal incidence is above that of any dielectric
 
   bool is_textured() const { return textures.size() > textures.count(PowerTexture::none); }
   bool are_none() const { return all.empty(); }

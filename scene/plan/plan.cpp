@@ -4,20 +4,17 @@
 #include <cmath>
 
 #include "approx/gloss.hpp"
-#include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
 #include "scene/materials/powers.hpp"
-#include "scene/plan/choose_exp2.hpp"
 #include "scene/plan/choose_lobe.hpp"
 #include "scene/plan/lobes.hpp"
 
 namespace shadefit::scene {
 namespace {
 
-/// How a light's share of the tolerance is spent. The cut-off gets 10 %: it costs lit pixels no instruction,
-/// and a lobe's width depends only on the logarithm of the threshold. The Fresnel term is cheap to keep, so
-/// little is reserved for dropping it. The lobe gets the rest.
-constexpr double for_cutoff = 0.1, for_fresnel = 0.3;
+/// The Fresnel term is cheap to keep, so little of a light's share of the tolerance is spent on dropping it.
+/// The lobe gets the rest.
+constexpr double for_fresnel = 0.3;
 
 /// The number of materials with a lobe and a roughness below the minimum of engines.
 long smooth_materials(const Scene& scene, const Plan& plan) {
@@ -33,12 +30,6 @@ long smooth_materials(const Scene& scene, const Plan& plan) {
 /// What the plan does not cover, what was changed, and what engines would change, one line each.
 std::vector<std::string> notes_of(const Scene& scene, const Plan& plan) {
   std::vector<std::string> notes;
-  const PixelPrecision precision = plan.wanted.precision;
-  if (plan.dot_product_error > 0) {
-    notes.push_back("n.h by a dot product in " + std::string(name(precision)) + " is off by " +
-                    decimal_above(dot_product_rounding(precision), 3) + ", which moves a light by up to " +
-                    decimal_above(plan.dot_product_error, 2) + " more, whatever the form: not counted");
-  }
   const double least = scene.conventions.min_roughness;
   if (least > 0) {
     notes.push_back("a roughness below " + decimal(least, 4) + " is taken for it");
@@ -48,31 +39,6 @@ std::vector<std::string> notes_of(const Scene& scene, const Plan& plan) {
                     "--min-roughness takes it for more");
   }
   return notes;
-}
-
-/// Safety factor, larger than the rounding of a computed cut-off.
-constexpr double downwards = 1 - 0x1p-40;
-
-/// The least of (s (n + 2))^(-1/(n + shift)) over a range of powers, 1 at most. Its logarithm's slope has the
-/// sign of log(s (n + 2)) - (n + shift)/(n + 2), which rises with n: so the function falls to a single
-/// minimum and then rises.
-double least_root(double s, double shift, const Range& powers) {
-  const auto rises = [&](double n) { return std::log(s * (n + 2)) > (n + shift) / (n + 2); };
-  double n = powers.least, high = powers.most;
-  for (double middle = n; !rises(n) && (middle = n + (high - n) / 2) > n && middle < high;)
-    (rises(middle) ? high : n) = middle;
-  return n + shift > 0 ? std::min(1.0, std::exp(-std::log(s * (n + 2)) / (n + shift))) : 0;
-}
-
-/// A light adds at most g min(1, 2c) c^n, g = F (n + 2)/8. This is at most e for c below (e/g)^(1/n), and for
-/// c below (e/(2 g))^(1/(n + 1)). The larger of both is at least the larger of their minima.
-///
-/// Returns a cosine n.h in [0, 1]. Below it a light adds at most `error` to a material's displayed value, in
-/// linear values, for every power of the material.
-double cutoff_of(double error, const Material& material) {
-  const double per_error = largest_reflectance(material) / 8 / error;
-  const Range powers = powers_of(material);
-  return std::max(least_root(2 * per_error, 1, powers), least_root(per_error, 0, powers)) * downwards;
 }
 
 class Planner {
@@ -88,8 +54,6 @@ class Planner {
       skip_all();
     } else {
       decide_fresnel();
-      decide_horizon();
-      decide_culling();
       decide_lobe();
       decide_power();
       decide_colour();
@@ -108,8 +72,7 @@ class Planner {
 
   MaterialPlan plan_material(const Material& material) const {
     MaterialPlan plan;
-    plan.name = material.name;
-    plan.power = powers_of(material);
+    plan.power = material.power;
     plan.factor = largest_factor(material, plan.power.most);
     const double shown = on_scale(scale(), plan.factor);
     if (material.is_unlit) {
@@ -150,8 +113,8 @@ class Planner {
   void skip_all() {
     plan_.shading = {};
     plan_.shading.lobe.kind = LobeKind::constant;
-    for (const char* term : {"Fresnel", "n.v < 0", "culling", "lobe", "offset x", "exp2", "rounding", "power",
-                             "gloss decode", "normalisation", "mip level", "coloured F0"})
+    for (const char* term :
+         {"Fresnel", "lobe", "rounding", "power", "gloss decode", "normalisation", "coloured F0"})
       decide(term, Treatment::skip, "", "no material needs a specular lobe");
   }
 
@@ -185,41 +148,6 @@ class Planner {
     }
   }
 
-  void decide_horizon() {
-    if (is_constant()) {
-      decide("n.v < 0", Treatment::skip, "", "every power is 0");
-    } else {
-      decide("n.v < 0", Treatment::keep, "min(n.l, 2 n.h)",
-             "equals n.l where n.v >= 0; limits a light where a normal map turns the normal away");
-    }
-  }
-
-  /// Whether every power is 0: then n.h is not needed.
-  bool is_constant() const { return lobes_.range().most == 0; }
-
-  void decide_culling() {
-    if (is_constant()) {
-      decide("culling", Treatment::skip, "", "no light falls with n.h");
-      return;
-    }
-    const double spent = for_cutoff * budget_, error = from_scale(scale(), spent) * downwards;
-    double least = 1, largest = 0;
-    for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
-      MaterialPlan& material = plan_.materials[i];
-      if (!material.has_lobe) continue;
-      material.cutoff = cutoff_of(error, scene_.materials[i]);
-      least = std::min(least, material.cutoff);
-      largest = std::max(largest, material.factor);
-    }
-    plan_.shading.least_exponent = std::log2(error / largest) * (error < largest ? 1 / downwards : downwards);
-    left_ -= spent;
-    decide("culling", Treatment::keep,
-           lobes_.is_textured() ? "where n.h < " + decimal_below(least, 3) + " or the lobe < 2^" +
-                                      decimal(plan_.shading.least_exponent, 3)
-                                : "where n.h < " + decimal_below(least, 3) + " (higher for some)",
-           "a light adds less there", spent);
-  }
-
   void decide_lobe() {
     const LobeBudget budget{.allowed = left_,
                             .scale = scale(),
@@ -229,50 +157,17 @@ class Planner {
                                                     scene_.conventions.is_gloss_exponential};
     const ChosenLobe chosen = choose_lobe(lobes_, budget, checkpoint_);
     plan_.shading.lobe = chosen.form;
-    plan_.fits_run = chosen.fits_run;
-    const bool is_kept = chosen.form.kind == LobeKind::power;
+    const LobeKind kind = chosen.form.kind;
     decide("lobe",
-           is_kept                                  ? Treatment::keep
-           : chosen.form.kind == LobeKind::constant ? Treatment::skip
-                                                    : Treatment::replace,
-           to_text(chosen.form), reason_of(chosen), chosen.error);
-    const bool has_offset = chosen.form.offset != 0;
-    decide("offset x", has_offset ? Treatment::keep : Treatment::skip,
-           has_offset ? "x = " + decimal(chosen.form.offset, 6) : "",
-           has_offset ? "best for this scene's powers, by how often each is used; its ADD is the material's"
-           : chosen.form.kind != LobeKind::exponential ? "no Gaussian"
-           : chosen.form.slopes.size() > 1             ? "the slopes do its work"
-                                                       : "0 is near enough");
-    decide_exp2(chosen.form, left_ - chosen.error - chosen.rounding);
+           kind == LobeKind::power      ? Treatment::keep
+           : kind == LobeKind::constant ? Treatment::skip
+                                        : Treatment::replace,
+           to_text(chosen.form), chosen.reason, chosen.error);
     const bool is_float = plan_.wanted.precision == PixelPrecision::float32;
     decide("rounding", Treatment::keep, std::string(name(plan_.wanted.precision)),
            is_float ? "each operation by 2^-24, exp2 and log2 by eight times that"
                     : "each operation by 2^-11, exp2 and log2 too; powers up to 65504",
            chosen.rounding);
-  }
-
-  std::string reason_of(const ChosenLobe& chosen) const {
-    if (chosen.form.kind == LobeKind::constant) return "every power is 0";
-    if (chosen.form.kind == LobeKind::multiplied) return "one whole power: exact";
-    constexpr double large = 100;
-    const bool is_bright = lobes_.range().most > large;
-    const std::string why = chosen.cheaper.empty() ? "the cheapest, and near enough"
-                            : is_bright ? chosen.cheaper + ": (n + 2)/8 cancels its smaller error for large n"
-                                        : chosen.cheaper;
-    if (chosen.mean_error == 0) return why;
-    return why + "; powers weighted by their use: mean error " + decimal(chosen.mean_error, 2) +
-           ", minimax constants have " + decimal(chosen.mean_error_of_level, 2);
-  }
-
-  void decide_exp2(const LobeForm& form, double left) {
-    if (form.kind == LobeKind::constant || form.kind == LobeKind::multiplied) {
-      decide("exp2", Treatment::skip, "", "none is computed");
-      return;
-    }
-    const ChosenExp2 chosen = choose_exp2(left, scale());
-    plan_.shading.exp2_degree = chosen.degree;
-    decide("exp2", Treatment::replace, "of degree " + std::to_string(chosen.degree),
-           "for processors without exp2: the cheapest that is accurate enough", chosen.error);
   }
 
   void decide_power() {
@@ -282,9 +177,13 @@ class Planner {
     plan_.shading.is_power_of_pixel = lobes_.is_textured();
     if (lobes_.is_textured()) {
       decide("power", Treatment::keep, "for each pixel", powers);
-      decide_decode();
+      const auto& textures = lobes_.textures;
+      if (textures.contains(PowerTexture::roughness) || textures.contains(PowerTexture::gloss)) {
+        decide("gloss decode", Treatment::keep, "for each pixel", "a texture holds it");
+      } else {
+        decide("gloss decode", Treatment::skip, "", "the textures hold powers");
+      }
       decide("normalisation", Treatment::keep, "(n + 2)/8", powers);
-      decide("mip level", Treatment::keep, "of the pixel's power", powers);
     } else {
       const bool is_one = lobes_.is_one_power();
       const std::string reason = is_one ? one : powers + ", one for each material";
@@ -293,31 +192,15 @@ class Planner {
       decide("gloss decode", Treatment::skip, "", is_one ? one : "no power comes from a texture");
       decide("normalisation", Treatment::replace,
              is_one ? decimal(game_normalisation(range.least), 6) : "a constant of the material", reason);
-      decide("mip level", Treatment::replace, "a constant of the material", reason);
-    }
-  }
-
-  /// Decides the conversion of a texture's number to a power.
-  void decide_decode() {
-    const auto has = [&](PowerTexture texture) { return lobes_.textures.contains(texture); };
-    const bool is_gloss_a_power = has(PowerTexture::gloss) && scene_.conventions.is_gloss_exponential;
-    const bool is_by_alpha = has(PowerTexture::roughness) || (has(PowerTexture::gloss) && !is_gloss_a_power);
-    std::vector<std::string> forms;
-    if (is_by_alpha) forms.emplace_back("n = 2/alpha^2 - 2");
-    if (is_gloss_a_power) forms.emplace_back("n = 2^(10 g + 1)");
-    if (forms.empty()) {
-      decide("gloss decode", Treatment::skip, "", "the textures hold powers");
-    } else {
-      decide("gloss decode", Treatment::keep, enumerated(forms), "a texture holds it");
     }
   }
 
   void decide_colour() {
-    plan_.shading.is_coloured = lobes_.is_coloured;
-    const std::string metal = lobes_.has_metal ? "metals among them" : "no metal";
-    decide("coloured F0", lobes_.is_coloured ? Treatment::keep : Treatment::replace,
-           lobes_.is_coloured ? "three channels" : "one channel",
-           (lobes_.is_coloured ? "a reflectance is coloured, " : "every reflectance is grey, ") + metal);
+    if (lobes_.is_coloured) {
+      decide("coloured F0", Treatment::keep, "three channels", "a reflectance is coloured");
+    } else {
+      decide("coloured F0", Treatment::replace, "one channel", "every reflectance is grey");
+    }
   }
 
   void sum_up() {
@@ -326,9 +209,6 @@ class Planner {
     for (const Decision& decision : plan_.decisions)
       (decision.term == "specular lobe" ? of_materials : of_lobes) += decision.error;
     plan_.error = plan_.wanted.lights * std::max(of_lobes, of_materials);
-    if (!lobes_.are_none() && !is_constant())
-      plan_.dot_product_error = dot_product_error(lobes_, plan_.wanted.precision, scale());
-    plan_.fits_skipped = static_cast<int>(fittable_families().size()) + lobe_fits - plan_.fits_run;
   }
 
   const Scene& scene_;

@@ -42,28 +42,18 @@ struct Decision {
 
 /// The decisions about one material.
 struct MaterialPlan {
-  std::string name;
   bool has_lobe = false;
   std::string reason;  ///< why it has no lobe; empty if it has one
   Range power = {};    ///< of its lobe
   double factor = 0;   ///< the largest F (n + 2)/8
-  /// Below this n.h a light adds less than the error reserved for it and can be skipped. 0: no light is
-  /// skipped.
-  double cutoff = 0;
-  double error = 0;  ///< of one light, if its lobe was dropped
+  double error = 0;    ///< of one light, if its lobe was dropped
 };
 
 /// The shading of materials with a lobe.
 struct PlannedShading {
   LobeForm lobe;
   bool has_fresnel = true;        ///< else F0 replaces the reflectance
-  bool is_coloured = true;        ///< else one channel is enough
   bool is_power_of_pixel = true;  ///< else the power is that of the material
-  /// If the power varies by pixel, a lobe of at most 2^this can be skipped: its light adds at most the
-  /// reserved error.
-  double least_exponent = 0;
-  /// The degree of the polynomial for exp2 on a processor without exp2; 0: exp2 is not used.
-  int exp2_degree = 0;
 };
 
 struct Plan {
@@ -71,13 +61,8 @@ struct Plan {
   PlannedShading shading;
   std::vector<Decision> decisions;
   std::vector<MaterialPlan> materials;
-  double error = 0;  ///< upper bound for all lights together
-  /// A bound of the error of one light if n.h comes from a dot product in the pixel's precision, for any
-  /// form. Not included in `error`.
-  double dot_product_error = 0;
+  double error = 0;                ///< upper bound for all lights together
   std::vector<std::string> notes;  ///< what the plan does not cover and what was changed, one line each
-  int fits_run = 0;
-  int fits_skipped = 0;  ///< of the fits of a whole catalogue of constants
   bool is_within() const { return error <= wanted.tolerance; }
   bool has_lobes() const;
 };

@@ -130,26 +130,4 @@ double rounding_error(const RoundedShading& shading, PixelPrecision precision, S
   return std::min(white, elasticity.size * relative * products + on_scale(scale, factor * format.smallest));
 }
 
-double dot_product_rounding(PixelPrecision precision) {
-  const double three = 3 * format_of(precision).unit;
-  return three / (1 - three);
-}
-
-double dot_product_error(const Lobes& lobes, PixelPrecision precision, ShownScale scale) {
-  constexpr double small = 2.4;  // from the exponent of sRGB's encoding
-  const double off = dot_product_rounding(precision);
-  double largest = 0;
-  for (const WeightedPower& lobe : lobes.all) {
-    const double n = lobe.power.most, g = lobe.factor;
-    if (n < small) {
-      largest = std::max(largest, on_scale(scale, 2 * (n + 1) * g * off));
-      continue;
-    }
-    const double brightest = std::min(1.0, std::pow(g, -1 / n));
-    const double log_ratio = n * std::log1p(-std::min(1.0, off / brightest));
-    largest = std::max(largest, apart_by_ratio(scale, g, log_ratio));
-  }
-  return largest;
-}
-
 }  // namespace shadefit::scene

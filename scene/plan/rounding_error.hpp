@@ -18,10 +18,8 @@
 /// - n of a pixel: 2/alpha^2 - 2 of alpha = r^2 is off by 5 u (n + 2), 2^(10 g + 1) by 20 u n, in the
 /// exponent
 ///   and in (n + 2)/8. Of a power below 1 the exponent is |log2 c| times that, with w <= 2 c before it.
-/// - F0 + (F90 - F0) (1 - l.h)^5 has 12 roundings at most (1 - l.h, four products, of which the power makes
-/// 8,
-///   a difference, a product, a sum), F0 alone 1; the normalisation 3, the products with it, n.l and the
-///   exp2 7.
+/// - F0 + (F90 - F0) (1 - l.h)^5 has 12 roundings at most, of which the power makes 8, F0 alone 1; the
+///   normalisation 3, the products with it, n.l and the exp2 7.
 namespace shadefit::scene {
 
 enum class PixelPrecision { float32, float16 };
@@ -40,15 +38,5 @@ struct RoundedShading {
 /// A bound of the rounding error of a light's result on the scale. It is white if the format cannot hold a
 /// number: a power or a normalisation above the largest half.
 double rounding_error(const RoundedShading& shading, PixelPrecision precision, ShownScale scale);
-
-/// The rounding error of n.h as a dot product of unit vectors: gamma_3 = 3 u/(1 - 3 u). Source: Higham 2002,
-/// "Accuracy and Stability of Numerical Algorithms", section 3.1, with |n| |h| = 1.
-double dot_product_rounding(PixelPrecision precision);
-
-/// A bound of its effect on a light of any of the lobes on the scale, for every form. An error d of the
-/// cosine c changes c^n by a relative n d/c. For n >= 2.4, v n/c rises with c as long as v < 1, on both
-/// scales. So it is largest where g c^n = 1, or at c = 1 if g < 1. For a smaller n, the slope of g c^n min(1,
-/// 2 c) is 2 (n + 1) g at most.
-double dot_product_error(const Lobes& lobes, PixelPrecision precision, ShownScale scale);
 
 }  // namespace shadefit::scene

@@ -29,7 +29,6 @@ TEST(SceneCommand, SaysWhatIsNeeded) {
   EXPECT_TRUE(outcome.out.starts_with("2 materials, 1 light, tolerance 0.003922 in linear values\n\nterm "))
       << outcome.out;
   EXPECT_NE(outcome.out.find("skipped for 1 of 2 materials"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nFits run 0, skipped 15.\n"), std::string::npos) << outcome.out;
   EXPECT_EQ(snapshot(directory.path()).size(), 1U) << "nothing is written unless it is asked for";
 }
 
@@ -236,7 +235,6 @@ TEST(SceneCommand, TheLeastRoughnessIsRecorded) {
   const auto printed = nlohmann::json::parse(run_command_line({"scene", file, "--json"}).out);
   EXPECT_EQ(printed.at("unused"), nlohmann::json::array({"b"}));
   EXPECT_EQ(printed.at("materials").size(), 1U);
-  EXPECT_GT(printed.at("dot_product_error"), 0);
   expect_refusal({"scene", file, "--min-roughness", "0"},
                  "--min-roughness '0' must be greater than 0 and at most 1");
   expect_refusal({"scene", file, "--min-roughness", "1.5"},

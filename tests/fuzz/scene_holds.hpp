@@ -21,14 +21,8 @@ inline void require_holds(const scene::Scene& scene) {
   for (const scene::Material& material : scene.materials) {
     for (const scene::Range& channel : material.f0) require_range(channel);
     require_range(material.f90);
-    require(!material.powers.empty());
-    double shares = 0, before = -1;
-    for (const scene::PowerShare& share : material.powers) {
-      require(share.power > before && share.power <= scene::most_power && share.share > 0);
-      before = share.power;
-      shares += share.share;
-    }
-    require(std::abs(shares - 1) < 1e-12);
+    require_range(material.power);
+    require(material.power.most <= scene::most_power);
   }
 }
 

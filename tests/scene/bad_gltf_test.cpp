@@ -62,22 +62,12 @@ TEST(BadGltf, WhatTwoReadersMayReadInTwoWays) {
       << "what is not kept is nobody's";
 }
 
-TEST(BadGltf, DepthAndNumberOfValuesAreBounded) {
-  const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
-  EXPECT_EQ(refusal_of_gltf(deep), "'a.gltf': JSON is deeper than 64 values in each other");
-  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("accessors":)" + deep)),
-            "'a.gltf': JSON is deeper than 64 values in each other");
+// Depth and the number of materials: tests/app/hostile_scene_test.cpp.
+TEST(BadGltf, TheNumberOfValuesIsBounded) {
   std::string many = "[0";
   for (std::size_t i = 0; i < most_json_values; ++i) many += ",0";
   EXPECT_EQ(refusal_of_gltf(gltf_of(R"("materials":)" + many + "]")),
             "'a.gltf': JSON has more than 4000000 values");
-}
-
-TEST(BadGltf, TooManyMaterials) {
-  std::string many = "{}";
-  for (std::size_t i = 0; i < most_materials; ++i) many += ",{}";
-  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("materials":[)" + many + "]")),
-            "'a.gltf': /materials: there are 65537, more than 65536");
 }
 
 TEST(BadGltf, FactorsOutOfRange) {
@@ -95,16 +85,19 @@ TEST(BadGltf, FactorsOutOfRange) {
     EXPECT_EQ(refusal_of_factor(member), "'a.gltf': /materials/0/pbrMetallicRoughness/" + key + words);
   }
   EXPECT_EQ(refusal_of_material(R"("name":5)"), "'a.gltf': /materials/0/name = 5: it must be a text");
-  const std::string place = "'a.gltf': /materials/0/extensions/KHR_materials_";
-  EXPECT_EQ(refusal_of_material(khr("ior", R"("ior":0.5)")),
-            place + "ior/ior = 0.5: it must be at least 1, or 0 for a reflectance of 1");
-  EXPECT_EQ(refusal_of_material(khr("ior", R"("ior":-1)")), place + "ior/ior = -1: it must be at least 0");
-  EXPECT_EQ(refusal_of_material(khr("specular", R"("specularFactor":2)")),
-            place + "specular/specularFactor = 2: it must be in [0, 1]");
-  EXPECT_EQ(refusal_of_material(khr("specular", R"("specularColorFactor":[1,-1,1])")),
-            place + "specular/specularColorFactor/1 = -1: it must be at least 0");
-  EXPECT_EQ(refusal_of_material(khr("pbrSpecularGlossiness", R"("glossinessFactor":2)")),
-            place + "pbrSpecularGlossiness/glossinessFactor = 2: it must be in [0, 1]");
+  struct Case {
+    std::string extension, member, words;
+  };
+  for (const auto& [extension, member, words] :
+       {Case{"ior", R"("ior":0.5)", " = 0.5: it must be at least 1, or 0 for a reflectance of 1"},
+        {"ior", R"("ior":-1)", " = -1: it must be at least 0"},
+        {"specular", R"("specularFactor":2)", " = 2: it must be in [0, 1]"},
+        {"specular", R"("specularColorFactor":[1,-1,1])", "/1 = -1: it must be at least 0"},
+        {"pbrSpecularGlossiness", R"("glossinessFactor":2)", " = 2: it must be in [0, 1]"}}) {
+    const std::string key = member.substr(1, member.find(':') - 2);
+    EXPECT_EQ(refusal_of_material(khr(extension, member)),
+              "'a.gltf': /materials/0/extensions/KHR_materials_" + extension + "/" + key + words);
+  }
 }
 
 TEST(BadGltf, IndicesOutOfRange) {
@@ -141,26 +134,26 @@ TEST(BadGltf, IndicesOutOfRange) {
 TEST(BadGltf, ViewsPastTheEnd) {
   const TemporaryDirectory directory;
   directory.file("short.bin", "12345");
-  const auto refused = [&](const std::string& view, const std::string& buffer) {
-    const std::string document = gltf_of_image(
-        R"("bufferView":0)", R"(,"bufferViews":[{"buffer":0,)" + view + R"(}],"buffers":[{)" + buffer + "}]");
-    return refusal([&] { read_gltf(document, directory / "a.gltf", {}); });
+  const std::string path = std::filesystem::weakly_canonical(directory / "short.bin").string();
+  const std::string short_file = R"(,"uri":"short.bin")", most = "18446744073709551615";
+  struct Case {
+    std::string view, buffer, words;
   };
-  const std::string file = "'" + directory / "a.gltf" + "': ", view = file + "/bufferViews/0";
-  EXPECT_EQ(refused(R"("byteLength":6)", R"("byteLength":5,"uri":"short.bin")"),
-            view + ": 6 bytes from 0 on go past the 5 of /buffers/0");
-  EXPECT_EQ(
-      refused(R"("byteLength":1,"byteOffset":18446744073709551615)", R"("byteLength":5,"uri":"short.bin")"),
-      view + ": 1 bytes from 18446744073709551615 on go past the 5 of /buffers/0");
-  EXPECT_EQ(refused(R"("byteLength":4,"byteOffset":2)", R"("byteLength":9,"uri":"short.bin")"),
-            view + ": cannot read '" + std::filesystem::weakly_canonical(directory / "short.bin").string() +
-                "': 4 bytes from 2 on are asked of a file of 5");
-  EXPECT_EQ(refused(R"("byteLength":4)", R"("byteLength":9,"uri":"data:,ab")"),
-            view + ": 4 bytes from 0 on go past the 2 of /buffers/0");
-  EXPECT_EQ(refused(R"("byteLength":4)", R"("byteLength":9)"),
-            file + "/buffers/0: it has neither a uri nor a chunk BIN");
-  EXPECT_EQ(refused(R"("byteLength":4)", R"("byteLength":1e9)"),
-            file + "/buffers/0/byteLength = 1000000000.0: it must be a whole number from 0 on");
+  for (const auto& [view, buffer, words] :
+       {Case{"6", "5" + short_file, "bufferViews/0: 6 bytes from 0 on go past the 5 of /buffers/0"},
+        {R"(1,"byteOffset":)" + most, "5" + short_file,
+         "bufferViews/0: 1 bytes from " + most + " on go past the 5 of /buffers/0"},
+        {R"(4,"byteOffset":2)", "9" + short_file,
+         "bufferViews/0: cannot read '" + path + "': 4 bytes from 2 on are asked of a file of 5"},
+        {"4", R"(9,"uri":"data:,ab")", "bufferViews/0: 4 bytes from 0 on go past the 2 of /buffers/0"},
+        {"4", "9", "buffers/0: it has neither a uri nor a chunk BIN"},
+        {"4", "1e9", "buffers/0/byteLength = 1000000000.0: it must be a whole number from 0 on"}}) {
+    const std::string document =
+        gltf_of_image(R"("bufferView":0)", R"(,"bufferViews":[{"buffer":0,"byteLength":)" + view +
+                                               R"(}],"buffers":[{"byteLength":)" + buffer + "}]");
+    EXPECT_EQ(refusal([&] { read_gltf(document, directory / "a.gltf", {}); }),
+              "'" + directory / "a.gltf" + "': /" + words);
+  }
 }
 
 TEST(BadGltf, NamesOutsideOfTheFolder) {
@@ -176,8 +169,6 @@ TEST(BadGltf, NamesOutsideOfTheFolder) {
     const std::string image = std::string(R"("uri":")") + uri + "\"";
     const std::string words = refusal([&] { read_gltf(gltf_of_image(image), file, {}); });
     EXPECT_NE(words.find("is outside of the scene's folder"), std::string::npos) << uri << ": " << words;
-    // Also where nobody would read it.
-    EXPECT_EQ(refusal([&] { read_gltf(gltf_of(R"("images":[{)" + image + "}]"), file, {}); }), words);
   }
   EXPECT_EQ(refusal([&] { read_gltf(gltf_of_image(R"("uri":"../../etc/passwd")"), file, {}); }),
             "'" + file + "': /images/0/uri: '../../etc/passwd' is outside of the scene's folder '" +

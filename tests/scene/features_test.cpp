@@ -1,3 +1,4 @@
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <stdio.h>
@@ -23,22 +24,17 @@ constexpr Conventions with_features{.has_features = true};
 const std::string tests_folder = SHADEFIT_SOURCE_DIR "/tests/";
 
 std::string listed(const Features& features) {
-  std::string text;
-  for (const std::string& feature : features) text += (text.empty() ? "" : ", ") + feature;
-  return text;
-}
-
-std::vector<Material> materials_of(const std::filesystem::path& file) {
-  return read_gltf(file, with_features).materials;
+  return fmt::format("{}", fmt::join(features, ", "));
 }
 
 // Each material is named after its features; that which nothing uses is not among them.
 TEST(Features, OfGltfAreByValue) {
-  const std::vector<Material> materials = materials_of(tests_folder + "scene/features.gltf");
+  const std::filesystem::path file = tests_folder + "scene/features.gltf";
+  const std::vector<Material> materials = read_gltf(file, with_features).materials;
   EXPECT_GT(materials.size(), 50U);
   for (std::size_t i = 0; i < materials.size(); ++i)
     EXPECT_EQ(listed(materials[i].features), materials[i].name) << "material " << i;
-  EXPECT_TRUE(read_gltf(tests_folder + "scene/features.gltf", Conventions{}).materials[1].features.empty());
+  EXPECT_TRUE(read_gltf(file, Conventions{}).materials[1].features.empty());
 }
 
 // A channel that is the same everywhere is a factor. Where it is full, a metal of factor 1 has no ior.
@@ -79,7 +75,7 @@ TEST(Features, AgreeWithAnIndependentReader) {
   EXPECT_GE(files.size(), 9U);
   for (const std::string& file : files) {
     const nlohmann::json expected = independent_features(file);
-    const std::vector<Material> materials = materials_of(file);
+    const std::vector<Material> materials = read_gltf(std::filesystem::path(file), with_features).materials;
     ASSERT_EQ(materials.size(), expected.size()) << file;
     for (std::size_t i = 0; i < materials.size(); ++i) {
       EXPECT_EQ(materials[i].name, expected[i][0].get<std::string>()) << file;

@@ -20,11 +20,9 @@ using shadefit::testing::TemporaryDirectory;
 using shadefit::testing::told;
 using namespace std::string_literals;
 
-/// Roughness 0, 1/5 (twice) and 1: powers without end, 2 5^4 - 2 = 1248, and 0. Metallic from 0 to 1 with a
-/// white base colour.
+/// Roughness from 0 to 1: powers without end, and 0. Metallic from 0 to 1 with a white base colour.
 constexpr const char* the_sample =
-    "F0 0.04 to 1, F90 1, n 0 (0.25) 1248 (0.5) 1000000000 (0.25) of roughness; the specular power = inf is taken for "
-    "1e+09";
+    "F0 0.04 to 1, F90 1, n 0 to 1000000000 of roughness; the specular power = inf is taken for 1e+09";
 
 std::string told_first(const Scene& scene) {
   return told(scene.materials.at(0));
@@ -51,7 +49,6 @@ TEST(GltfTextures, AreReadWhereverTheyAre) {
   const Scene scene = read_gltf(beside, {});
   EXPECT_EQ(told_first(scene), the_sample);
   EXPECT_EQ(scene.materials[0].file, beside);
-  EXPECT_TRUE(scene.missing.empty());
   const auto document = [&](const std::string& buffer) {
     return gltf_of_image(R"("bufferView":0,"mimeType":"image/png")",
                          view_of(3, png.size()) + buffer_of(content.size(), buffer));
@@ -72,25 +69,22 @@ TEST(GltfTextures, FactorsScaleThemAndGlossIsInTheAlpha) {
   };
   const std::string halves =
       R"("roughnessFactor":0.5,"metallicFactor":0.5,"metallicRoughnessTexture":{"index":0})";
-  EXPECT_EQ(
-      told_first(read_gltf(with(metal(halves), metallic_roughness_png()), "a.gltf", {})),
-      "F0 0.04 to 0.52, F90 1, n 30 (0.25) 19998 (0.5) 1000000000 (0.25) of roughness; the specular power = inf "
-      "is taken for 1e+09");
+  EXPECT_EQ(told_first(read_gltf(with(metal(halves), metallic_roughness_png()), "a.gltf", {})),
+            "F0 0.04 to 0.52, F90 1, n 30 to 1000000000 of roughness; the specular power = inf "
+            "is taken for 1e+09");
   const std::string glossy =
       khr("pbrSpecularGlossiness", R"("specularFactor":[0.5,1,1],"specularGlossinessTexture":{"index":0})");
   const std::string png = png_of({2, 1, PNG_COLOR_TYPE_RGB_ALPHA, {1, 2, 3, 0, 1, 2, 3, 255}});
-  EXPECT_EQ(
-      told_first(read_gltf(with(glossy, png), "a.gltf", {.is_gloss_exponential = true})),
-      "F0 0 to 0.5 | 0 to 1 | 0 to 1, F90 1, n 2 (0.5) 2048 (0.5) of gloss; colour of the specular-glossiness "
-      "texture is not read: F0 is taken from 0 to the factor");
+  EXPECT_EQ(told_first(read_gltf(with(glossy, png), "a.gltf", {.is_gloss_exponential = true})),
+            "F0 0 to 0.5 | 0 to 1 | 0 to 1, F90 1, n 2 to 2048 of gloss; colour of the specular-glossiness "
+            "texture is not read: F0 is taken from 0 to the factor");
 }
 
-/// Every code as often as another, and metallic from 0 to 1.
+/// Roughness and metallic from 0 to 1.
 void expect_unknown(const Scene& scene, const std::string& words) {
   EXPECT_EQ(told_first(scene),
             "F0 0.04 to 1, F90 1, n 0 to 1000000000 of roughness; metallic-roughness texture " + words +
                 "; the specular power = inf is taken for 1e+09");
-  EXPECT_EQ(scene.materials[0].powers.front(), (PowerShare{0, 1 / 256.0}));
 }
 
 TEST(GltfTextures, WhatIsMissingIsNamed) {
@@ -99,7 +93,6 @@ TEST(GltfTextures, WhatIsMissingIsNamed) {
     return read_gltf(gltf_of_image(image, more), directory / "a.gltf", {});
   };
   expect_unknown(scene_of(R"("uri":"gone.png")"), "'gone.png' is missing");
-  EXPECT_TRUE(scene_of(R"("uri":"gone.png")").missing.empty());
   expect_unknown(scene_of(R"("uri":"https://x.org/a.png")"), "'https://x.org/a.png' is not fetched");
   expect_unknown(scene_of(R"("uri":"data:,RIFF")"), "/images/0 is neither PNG nor JPEG");
   const std::string view = R"("bufferView":0)";
@@ -113,28 +106,17 @@ TEST(GltfTextures, WhatIsMissingIsNamed) {
   expect_unknown(read_gltf(without_source, "a.gltf", {}), "/textures/0 has no source");
 }
 
-TEST(GltfTextures, MissingGeometryCostsNothing) {
-  const TemporaryDirectory directory;
-  directory.file("there.bin", "");
-  const std::string members =
-      R"("buffers":[{"byteLength":5,"uri":"z.bin"},{"byteLength":5,"uri":"there.bin"},{"byteLength":1},)"
-      R"({"byteLength":5,"uri":"z.bin"}],"images":[{"uri":"colour.png"},{"uri":"data:,x"},{"uri":"http://x.org/a"}])";
-  const Scene scene = read_gltf(gltf_of(members), directory / "a.gltf", {});
-  EXPECT_EQ(scene.missing, (std::vector<std::string>{"colour.png", "z.bin"}));
-  EXPECT_EQ(scene.materials.size(), 1u);
-}
-
-// 64 MiB of texels each time, were it not for that: a hundred materials would take a minute.
+// 4 Mi pixels each time, were it not for that: more than a scene may have.
 TEST(GltfTextures, APictureIsReadOnce) {
   const std::string material = R"({"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}})";
   std::string materials = material;
-  for (int i = 1; i < 100; ++i) materials += "," + material;
+  for (int i = 1; i < 1100; ++i) materials += "," + material;
   const std::string large =
       png_of({2048, 2048, PNG_COLOR_TYPE_RGB, std::vector<std::uint8_t>(3 * 2048 * 2048)});
   const std::string document =
       gltf_of(R"("materials":[)" + materials +
               R"(],"textures":[{"source":0}],"images":[{"uri":"data:;base64,)" + base64(large) + R"("}])");
-  EXPECT_EQ(read_gltf(document, "a.gltf", {}).materials.size(), 100u);
+  EXPECT_EQ(read_gltf(document, "a.gltf", {}).materials.size(), 1100u);
 }
 
 }  // namespace

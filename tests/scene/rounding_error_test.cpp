@@ -3,16 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
-#include <random>
 #include <string>
-#include <utility>
 
 #include "approx/shading.hpp"
 #include "fit/scalars/half.hpp"
-#include "tests/scene/one_lobe.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -46,8 +41,8 @@ double measured_rounding(const LobeForm& form, double power, double reflectance)
 }
 
 Lobes lobes_of_power(double power, double reflectance) {
-  return {
-      .all = {of_power(power, reflectance * (power + 2) / 8)}, .used = {}, .textures = {PowerTexture::none}};
+  return {.all = {WeightedPower{{power, power}, reflectance * (power + 2) / 8}},
+          .textures = {PowerTexture::none}};
 }
 
 TEST(RoundingError, IsNotExceeded) {
@@ -96,54 +91,6 @@ TEST(RoundingError, CountsWhatThereIs) {
                            ShownScale::linear),
             1);
   EXPECT_EQ(name(PixelPrecision::float16), "half");
-}
-
-// The dot product itself: vectors of floats, with the products and sums of floats, around the edge of what is
-// shown in white. The exact formula is moved so far whatever the form.
-TEST(DotProductError, IsNotExceeded) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
-  const auto direction = [&] {
-    std::array<double, 3> v{normal(random), normal(random), normal(random)};
-    const double length = std::hypot(v[0], v[1], v[2]);
-    for (double& x : v) x /= length;
-    return v;
-  };
-  for (const double power : {0.5, 3.0, 77.7, 1e4, 263279.0}) {
-    const double factor = (power + 2) / 8, c = std::min(1.0, std::pow(factor, -1 / power));
-    const Lobes lobes{.all = {of_power(power, factor)}, .used = {}, .textures = {PowerTexture::none}};
-    const double bound = dot_product_error(lobes, PixelPrecision::float32, ShownScale::linear);
-    const double bound_of_codes = dot_product_error(lobes, PixelPrecision::float32, ShownScale::codes);
-    double largest = 0, largest_code = 0;
-    for (int i = 0; i < 20000; ++i) {
-      const auto n = direction(), other = direction();
-      // h is off n by an angle whose cosine is near c
-      const double along = std::inner_product(n.begin(), n.end(), other.begin(), 0.0);
-      const double near = c + (1 - c) * (i % 100 - 50) / 100.0,
-                   across = std::sqrt((1 - near * near) / (1 - along * along));
-      double exact = 0;
-      float dot = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto a = static_cast<float>(n[k]),
-                   b = static_cast<float>(near * n[k] + across * (other[k] - along * n[k]));
-        exact += static_cast<double>(a) * static_cast<double>(b);
-        dot += a * b;
-      }
-      const auto shown = [&](ShownScale scale, double cosine) {
-        return shown_value(scale, factor * std::pow(std::clamp(cosine, 0.0, 1.0), power));
-      };
-      const auto rounded = static_cast<double>(dot);
-      for (auto [scale, most] : {std::pair{ShownScale::linear, &largest}, {ShownScale::codes, &largest_code}})
-        *most = std::max(*most, std::abs(shown(scale, rounded) - shown(scale, exact)));
-    }
-    EXPECT_LE(largest, bound) << power;
-    EXPECT_GE(largest, 0.05 * bound) << power << ": the bound is at most 20 times too large";
-    EXPECT_LE(largest_code, bound_of_codes) << power;
-  }
-  // of the roughness at which three.js stops
-  const Lobes smooth{.all = {of_power(263279, 263281 / 8.0)}, .used = {}, .textures = {PowerTexture::none}};
-  EXPECT_NEAR(dot_product_error(smooth, PixelPrecision::float32, ShownScale::linear), 0.046, 0.001);
-  EXPECT_NEAR(dot_product_rounding(PixelPrecision::float16), 3 * 0x1p-11, 1e-5);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <png.h>
+#include <zlib.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -55,20 +56,14 @@ inline std::string png_of(const Picture& picture) {
 /// The header of a PNG that claims a size, and nothing after it.
 inline std::string png_header(std::uint32_t width, std::uint32_t height) {
   std::string encoded = png_of({1, 1, PNG_COLOR_TYPE_GRAY, {0}});
-  std::string header = encoded.substr(12, 17);  // "IHDR" and its 13 bytes
+  std::string header = encoded.substr(12, 21);  // "IHDR", its 13 bytes and the sum of both
   const auto put = [&](std::size_t offset, std::uint32_t number) {
     for (std::size_t i = 0; i < 4; ++i) header[offset + i] = static_cast<char>(number >> (24 - 8 * i) & 0xFF);
   };
   put(4, width);
   put(8, height);
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const char c : header) {
-    crc ^= static_cast<std::uint8_t>(c);
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xEDB88320 : 0);
-  }
-  std::string check;
-  for (std::size_t i = 0; i < 4; ++i) check.push_back(static_cast<char>(~crc >> (24 - 8 * i) & 0xFF));
-  return encoded.substr(0, 12) + header + check + encoded.substr(33);
+  put(17, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(header.data()), 17)));
+  return encoded.substr(0, 12) + header + encoded.substr(33);
 }
 
 /// Two by two texels RGB: roughness codes 0, 51, 255, 51 in green, metallic 0, 255, 102, 0 in blue.
@@ -129,9 +124,8 @@ inline std::string gltf_of_image(const std::string& image, const std::string& mo
                  image + "}]" + more);
 }
 
-/// What a plan needs of a material, to 12 digits: "F0 0.04, F90 1, n 0 (0.5) 30 (0.5) of roughness; what is
-/// unknown; what is remarked". A range is "0 to 1", colours that differ are listed, and so are four powers at
-/// most with their shares.
+/// What a plan needs of a material, to 12 digits: "F0 0.04, F90 1, n 0 to 30 of roughness; what is unknown;
+/// what is remarked". Colours that differ are listed.
 inline std::string told(const scene::Material& material) {
   const auto range = [](const scene::Range& r) {
     return r.is_constant() ? fmt::format("{:.12g}", r.most)
@@ -143,14 +137,7 @@ inline std::string told(const scene::Material& material) {
   if (f0[1] != f0[0] || f0[2] != f0[0]) text += " | " + range(f0[1]) + " | " + range(f0[2]);
   text += material.fresnel == scene::FresnelTerm::none ? ", no Fresnel, n"
                                                        : ", F90 " + range(material.f90) + ", n";
-  const auto& powers = material.powers;
-  if (powers.size() > 4)
-    text += fmt::format(" {:.12g} to {:.12g}", powers.front().power, powers.back().power);
-  for (const scene::PowerShare& share : powers) {
-    if (powers.size() == 1) text += fmt::format(" {:.12g}", share.power);
-    if (powers.size() > 1 && powers.size() <= 4)
-      text += fmt::format(" {:.12g} ({:.12g})", share.power, share.share);
-  }
+  text += " " + range(material.power);
   constexpr const char* of[]{"", " of roughness", " of gloss", " of a power"};
   text += of[static_cast<std::size_t>(material.power_texture)];
   for (const auto* lines : {&material.unknowns, &material.remarks}) {

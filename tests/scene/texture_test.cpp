@@ -6,7 +6,6 @@
 #include <jpeglib.h>
 
 #include <cstdlib>
-#include <numeric>
 
 #include "tests/scene/samples.hpp"
 
@@ -48,38 +47,26 @@ std::string jpeg_of(unsigned width, unsigned height, int components, std::vector
   return encoded;
 }
 
-Histogram counts_of(const std::string& encoded, Channel channel) {
-  return PictureReader().histograms(bytes_of(encoded), {&channel, 1}).front();
+/// The least and the largest code of a channel.
+std::pair<double, double> codes_of(const std::string& encoded, Channel channel) {
+  const Range range = PictureReader().ranges(bytes_of(encoded), {&channel, 1}).front();
+  return {255 * range.least, 255 * range.most};
 }
 
 std::string refusal_of_picture(const std::string& encoded) {
-  return refusal([&] { counts_of(encoded, Channel::red); });
+  return refusal([&] { codes_of(encoded, Channel::red); });
 }
 
-Histogram counted(std::initializer_list<std::pair<std::size_t, std::uint32_t>> counts) {
-  Histogram histogram{};
-  for (const auto& [code, count] : counts) histogram[code] = count;
-  return histogram;
-}
+using Codes = std::pair<double, double>;
 
-TEST(Texture, IsKnownByItsFirstBytes) {
-  EXPECT_EQ(picture_format(bytes_of(png_of({1, 1, PNG_COLOR_TYPE_GRAY, {0}}))), PictureFormat::png);
-  EXPECT_EQ(picture_format(bytes_of(jpeg_of(1, 1, 1, {0}))), PictureFormat::jpeg);
-  EXPECT_EQ(picture_format(bytes_of("RIFF....WEBP")), PictureFormat::other);
-  EXPECT_EQ(picture_format(bytes_of("")), PictureFormat::other);
-  EXPECT_EQ(refusal_of_picture("GIF89a"), "the picture is neither PNG nor JPEG");
-}
-
-TEST(Texture, CountsEachChannel) {
+TEST(Texture, TakesEachChannel) {
   const std::string png = png_of({2, 1, PNG_COLOR_TYPE_RGB_ALPHA, {1, 2, 3, 4, 1, 20, 30, 40}});
-  EXPECT_EQ(counts_of(png, Channel::red), counted({{1, 2}}));
-  EXPECT_EQ(counts_of(png, Channel::green), counted({{2, 1}, {20, 1}}));
-  EXPECT_EQ(counts_of(png, Channel::alpha), counted({{4, 1}, {40, 1}}));
+  EXPECT_EQ(codes_of(png, Channel::red), Codes(1, 1));
+  EXPECT_EQ(codes_of(png, Channel::green), Codes(2, 20));
+  EXPECT_EQ(codes_of(png, Channel::alpha), Codes(4, 40));
   constexpr std::array both{Channel::blue, Channel::green};
-  const auto histograms = PictureReader().histograms(bytes_of(png), both);
-  ASSERT_EQ(histograms.size(), 2u);
-  EXPECT_EQ(histograms[0], counted({{3, 1}, {30, 1}}));
-  EXPECT_EQ(histograms[1], counted({{2, 1}, {20, 1}}));
+  EXPECT_EQ(PictureReader().ranges(bytes_of(png), both),
+            (std::vector<Range>{{3 / 255.0, 30 / 255.0}, {2 / 255.0, 20 / 255.0}}));
 }
 
 TEST(Texture, GreyIsEveryColourNoAlphaIsOpaqueAndDepthsAreEightBits) {
@@ -88,36 +75,34 @@ TEST(Texture, GreyIsEveryColourNoAlphaIsOpaqueAndDepthsAreEightBits) {
   const std::string deep = png_of({2, 1, PNG_COLOR_TYPE_GRAY, {0xFF, 0xFF, 0x80, 0x80}, 16});
   const std::string bits = png_of({8, 1, PNG_COLOR_TYPE_GRAY, {0b11100000}, 1});
   const std::string palette = png_of({2, 1, PNG_COLOR_TYPE_PALETTE, {3, 4}});
-  EXPECT_EQ(counts_of(grey, Channel::red), counted({{5, 3}, {6, 1}}));
-  EXPECT_EQ(counts_of(grey, Channel::blue), counted({{5, 3}, {6, 1}}));
-  EXPECT_EQ(counts_of(grey, Channel::alpha), counted({{255, 4}}));
-  EXPECT_EQ(counts_of(with_alpha, Channel::green), counted({{5, 1}, {6, 1}}));
-  EXPECT_EQ(counts_of(with_alpha, Channel::alpha), counted({{9, 1}, {10, 1}}));
-  EXPECT_EQ(counts_of(deep, Channel::red), counted({{255, 1}, {128, 1}}));
-  EXPECT_EQ(counts_of(bits, Channel::red), counted({{0, 5}, {255, 3}}));
-  EXPECT_EQ(counts_of(palette, Channel::green), counted({{252, 1}, {251, 1}}));
+  EXPECT_EQ(codes_of(grey, Channel::red), Codes(5, 6));
+  EXPECT_EQ(codes_of(grey, Channel::blue), Codes(5, 6));
+  EXPECT_EQ(codes_of(grey, Channel::alpha), Codes(255, 255));
+  EXPECT_EQ(codes_of(with_alpha, Channel::green), Codes(5, 6));
+  EXPECT_EQ(codes_of(with_alpha, Channel::alpha), Codes(9, 10));
+  EXPECT_EQ(codes_of(deep, Channel::red), Codes(128, 255));
+  EXPECT_EQ(codes_of(bits, Channel::red), Codes(0, 255));
+  EXPECT_EQ(codes_of(palette, Channel::green), Codes(251, 252));
 }
 
-// 1 x 1 to 9 x 9: of small ones some passes are empty.
-TEST(Texture, InterlacedOnesCountTheSame) {
+// 1 x 1 to 9 x 9: of small ones some passes are empty. Each texel in turn is the one that counts.
+TEST(Texture, InterlacedOnesGiveTheSame) {
   for (std::uint32_t width = 1; width <= 9; ++width) {
     for (std::uint32_t height = 1; height <= 9; ++height) {
-      std::vector<std::uint8_t> texels(width * height);
-      std::iota(texels.begin(), texels.end(), std::uint8_t{0});
-      Picture picture{width, height, PNG_COLOR_TYPE_GRAY, texels};
-      const Histogram plain = counts_of(png_of(picture), Channel::red);
-      picture.is_interlaced = true;
-      EXPECT_EQ(counts_of(png_of(picture), Channel::red), plain) << width << " x " << height;
+      for (std::size_t i = 0; i < width * height; ++i) {
+        Picture picture{width, height, PNG_COLOR_TYPE_GRAY, std::vector<std::uint8_t>(width * height, 9)};
+        picture.is_interlaced = true;
+        picture.texels[i] = 200;
+        EXPECT_EQ(codes_of(png_of(picture), Channel::red).second, 200) << width << " x " << height;
+      }
     }
   }
 }
 
 TEST(Texture, ReadsJpeg) {
-  EXPECT_EQ(counts_of(jpeg_of(8, 8, 1, std::vector<std::uint8_t>(64, 128)), Channel::green),
-            counted({{128, 64}}));
-  const Histogram blue =
-      counts_of(jpeg_of(16, 8, 3, std::vector<std::uint8_t>(16 * 8 * 3, 200)), Channel::blue);
-  EXPECT_EQ(blue, counted({{200, 128}}));
+  EXPECT_EQ(codes_of(jpeg_of(8, 8, 1, std::vector<std::uint8_t>(64, 128)), Channel::green), Codes(128, 128));
+  EXPECT_EQ(codes_of(jpeg_of(16, 8, 3, std::vector<std::uint8_t>(16 * 8 * 3, 200)), Channel::blue),
+            Codes(200, 200));
 }
 
 TEST(Texture, IsRefusedByItsSizeBeforeItIsDecoded) {
@@ -137,13 +122,14 @@ TEST(Texture, PicturesOfASceneAreBoundedTogether) {
   const std::string four = png_of({2, 2, PNG_COLOR_TYPE_GRAY, {5, 5, 5, 6}});
   PictureReader reader(10);
   constexpr std::array red{Channel::red};
-  reader.histograms(bytes_of(four), red);
-  reader.histograms(bytes_of(four), red);
-  EXPECT_EQ(refusal([&] { reader.histograms(bytes_of(four), red); }),
+  reader.ranges(bytes_of(four), red);
+  reader.ranges(bytes_of(four), red);
+  EXPECT_EQ(refusal([&] { reader.ranges(bytes_of(four), red); }),
             "with its 2 x 2 pixels the pictures of the scene have more than may be read together");
 }
 
 TEST(Texture, DamagedOnesAreRefused) {
+  EXPECT_EQ(refusal_of_picture("GIF89a"), "the picture is neither PNG nor JPEG");
   const std::string png = png_of({2, 2, PNG_COLOR_TYPE_GRAY, {5, 5, 5, 6}});
   EXPECT_EQ(refusal_of_picture(png.substr(0, 8)),
             "the PNG is damaged: the file ends before the picture does");
@@ -167,7 +153,7 @@ TEST(Texture, DamagedOnesAreRefused) {
 // work.
 TEST(Texture, ScansOfAJpegAreBounded) {
   const std::string jpeg = jpeg_of(8, 8, 1, std::vector<std::uint8_t>(64, 200), true);
-  EXPECT_EQ(counts_of(jpeg, Channel::red), counted({{200, 64}}));
+  EXPECT_EQ(codes_of(jpeg, Channel::red), Codes(200, 200));
   const std::size_t last = jpeg.rfind("\xFF\xDA"), end = jpeg.rfind("\xFF\xD9");
   std::string scans;
   for (int i = 0; i < 100; ++i) scans += jpeg.substr(last, end - last);
