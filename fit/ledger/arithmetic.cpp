@@ -5,31 +5,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <string>
-#include <vector>
+#include <stdexcept>
 
-#include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
-#include "fit/errors/effect.hpp"
 #include "fit/ledger/formats.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/multiprecision.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
-
-/// "zero in half and float, not in double", without empty lists.
-std::string split_list(const std::vector<std::string>& yes, std::string_view word,
-                       const std::vector<std::string>& no, std::string_view other) {
-  std::string out;
-  if (!yes.empty()) out += fmt::format("{} in {}", word, enumerated(yes));
-  if (!yes.empty() && !no.empty()) out += " and ";
-  if (!no.empty()) out += fmt::format("{} in {}", other, enumerated(no));
-  return out;
-}
 
 /// The values of exp(-k) in a format.
 struct Underflow {
@@ -51,43 +35,30 @@ Underflow underflow_in(std::string_view format, double power) {
   });
 }
 
-/// The power up to which exp(-k), at the edge of a lobe of peak 1, is at least one 8-bit sRGB code: there the
-/// encoding is straight, 12.92 x.
-double last_visible_power() {
-  const double slope = srgb_code(0x1p-20) / 0x1p-20;
-  return std::log(slope);
-}
-
 Finding gaussian_at_zero(const Claim& claim) {
   const double power = given(claim, "power");
   const auto formats = items_of(claim.inputs.at("formats"));
-  std::vector<std::string> zero, nonzero, last, last_normal;
+  std::vector<std::string> zero, last, last_normal;
   bool power_is_zero = true;
   for (const std::string& format : formats) {
     const Underflow found = underflow_in(format, power);
     power_is_zero = power_is_zero && found.power_is_zero;
-    (found.gaussian_is_zero ? zero : nonzero).push_back(format);
+    if (found.gaussian_is_zero) zero.push_back(format);
     last.push_back(decimal(found.last, 6));
     last_normal.push_back(decimal(found.last_normal, 4));
   }
   const Decimal50 exact = gaussian_lobe(Decimal50(0), Decimal50(power), Decimal50(0));
-  const double magnitude = static_cast<double>(log10(exact));
   // In exact arithmetic it holds for every power: the formats decide between `confirmed` and `conditional`.
   const Verdict verdict = power_is_zero && exact > 0
-                              ? verdict_of_cases(1 + nonzero.size(), 1 + formats.size())
+                              ? verdict_of_cases(1 + formats.size() - zero.size(), 1 + formats.size())
                               : Verdict::refuted;
-  const std::string value = fmt::format("exp(-{:.6g})", power);
-  Effect left;
-  left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine({0, 1}));
-  const std::string effect = sentence(left, "the edge of a highlight", "the Gaussian");
-  return {
-      verdict,
-      fmt::format("{}; the exact value is 10^{:.7g}", split_list(zero, "0", nonzero, "not 0"), magnitude),
-      told(claim, Told{"magnitude", magnitude}, Told{"zero", split_list(zero, "0", nonzero, "not 0")},
-           Told{"last", enumerated(last)}, Told{"all_formats", enumerated(formats)},
-           Told{"last_normal", enumerated(last_normal)}, Told{"not_zero", power_is_zero ? "" : "not "},
-           Told{"visible", last_visible_power()}),
-      effect == "none" ? none_because(fmt::format("{} is below the least positive double", value)) : effect};
+  // The power up to which exp(-k), at the edge of a lobe of peak 1, is at least one 8-bit sRGB code: there
+  // the encoding is straight, 12.92 x.
+  const double visible = std::log(srgb_code(0x1p-20) / 0x1p-20);
+  return told(claim, verdict, fmt::format("none: exp(-{:.6g}) is below the least positive double", power),
+              Told{"magnitude", static_cast<double>(log10(exact))}, Told{"zero", enumerated(zero)},
+              Told{"last", enumerated(last)}, Told{"all_formats", enumerated(formats)},
+              Told{"last_normal", enumerated(last_normal)}, Told{"visible", visible});
 }
 
 /// The results of exp2(log2(0) b) in a format.
@@ -98,9 +69,8 @@ double power_of_zero(std::string_view format, std::string_view exponent) {
 
 /// "b = 0 and 1e-09 (in half alone)", the exponents for which `is_so` is true in some format; `cases` gets
 /// their number.
-template <class Predicate>
 std::string exponents_that(const std::vector<std::string>& exponents, const std::vector<std::string>& formats,
-                           const Predicate& is_so, std::size_t& cases) {
+                           bool (*is_so)(double), std::size_t& cases) {
   std::vector<std::string> found;
   for (const std::string& b : exponents) {
     std::vector<std::string> where;
@@ -111,12 +81,11 @@ std::string exponents_that(const std::vector<std::string>& exponents, const std:
     found.push_back(b +
                     (where.size() == formats.size() ? "" : fmt::format(" (in {} alone)", enumerated(where))));
   }
-  return found.empty() ? "no b" : fmt::format("b = {}", enumerated(found));
+  return enumerated(found);
 }
 
 /// The stored value in a fixed-point render target: NaN becomes 0. Source: Microsoft, Direct3D 11.3
-/// Functional
-/// Specification, 3.2.3.6, "FLOAT -> UNORM".
+/// Functional Specification, 3.2.3.6, "FLOAT -> UNORM".
 double as_stored(double value) {
   return std::isnan(value) ? 0 : value;
 }
@@ -137,11 +106,9 @@ Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
 
 /// The overflow of the sharpness A = k/ln 2 in a format, and the Gaussian beyond it.
 struct Overflow {
-  double last_power;              ///< the largest power of the format whose sharpness is finite
-  bool is_nan = true;             ///< beyond it exp2(A c - A) is NaN at c = 0, 0.5 and 1
-  Effect effect = {};             ///< of that on the lobe, at the last power of the format
-  bool is_nan_at_peak = true;     ///< exp2(A (c - 1)) is NaN at c = 1
-  bool is_nan_elsewhere = false;  ///< or at c = 0 or 0.5
+  double last_power;           ///< the largest power of the format whose sharpness is finite
+  Effect effect = {};          ///< of what is beyond on the lobe, at the last power of the format
+  bool is_nan_as_told = true;  ///< exp2(A c - A) at c = 0, 0.5 and 1, and exp2(A (c - 1)) at 1 alone
 };
 
 Overflow overflow_in(std::string_view format) {
@@ -153,11 +120,10 @@ Overflow overflow_in(std::string_view format) {
     for (const char* c : {"0", "0.5", "1"}) {
       const T cosine = constant<T>(c);
       const double value = widened(gaussian_lobe_base_two(cosine, infinite));
-      found.is_nan &= std::isnan(value);
+      const bool difference = std::isnan(widened(gaussian_lobe_base_two_of_difference(cosine, infinite)));
+      found.is_nan_as_told &= std::isnan(value) && difference == (widened(cosine) == 1);
       found.effect.show(power_lobe(widened(cosine), largest), as_stored(value),
                         {{"c = ", widened(cosine)}, {"k = ", largest}});
-      const bool difference = std::isnan(widened(gaussian_lobe_base_two_of_difference(cosine, infinite)));
-      (widened(cosine) == 1 ? found.is_nan_at_peak : found.is_nan_elsewhere) = difference;
     }
     return found;
   });
@@ -174,29 +140,24 @@ Finding nan_at_zero(const Claim& claim) {
       exponents, formats, [](double y) { return y == 0; }, zero);
   double least = largest;  // the power up to which no format overflows
   Effect lost;             // where one does
-  bool is_nan = true, is_peak_alone = true;
   std::vector<std::string> last, safe;
   for (const std::string& format : formats) {
     const Overflow found = overflow_in(format);
     last.push_back(fmt::format("{:.5g} in {}", found.last_power, format));
     least = std::min(least, found.last_power);
     if (largest > found.last_power) lost.include(found.effect);
-    is_nan = is_nan && found.is_nan;
-    is_peak_alone = is_peak_alone && found.is_nan_at_peak && !found.is_nan_elsewhere;
     if (largest <= found.last_power) safe.push_back(format);
+    if (!found.is_nan_as_told) throw std::logic_error("another overflow than the one of the sentence");
   }
   const std::array parts{verdict_of_cases(nan, formats.size() * exponents.size()),
                          verdict_of_cases(safe.size(), formats.size())};
-  return {
-      worst(parts), fmt::format("NaN for {}; 0 for {}", of_nan, of_zero),
-      told(claim, Told{"of_nan", of_nan}, Told{"of_zero", of_zero}, Told{"all_formats", enumerated(formats)},
-           Told{"last", enumerated(last)}, Told{"safe", safe.empty() ? "none of them" : enumerated(safe)},
-           Told{"overflows", is_nan ? ". Where A overflows it is NaN at c = 0, 0.5 and 1" : ""},
-           Told{"at_peak", is_peak_alone ? "; exp2(A (c - 1)) is NaN at c = 1 alone" : ""},
-           Told{"least", least}),
-      sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
-                          "NaN stored as 0, exp2(log2(0) b)"),
-                 sentence(lost, "the curve", "exp2(A c - A)")})};
+  return told(claim, worst(parts),
+              sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
+                                  "NaN stored as 0, exp2(log2(0) b)"),
+                         sentence(lost, "the curve", "exp2(A c - A)")}),
+              Told{"of_nan", of_nan}, Told{"of_zero", of_zero}, Told{"all_formats", enumerated(formats)},
+              Told{"last", enumerated(last)}, Told{"safe", safe.empty() ? "none of them" : enumerated(safe)},
+              Told{"least", least});
 }
 
 }  // namespace

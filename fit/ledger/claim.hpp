@@ -28,8 +28,7 @@ struct Quantities : std::vector<Quantity> {
   }
 };
 
-/// One row of the ledger: the statement and our reading of it. `evaluate` of fit/ledger/evaluate.hpp computes
-/// whether it is right.
+/// One row of the ledger: the statement and our reading of it. `evaluate` computes whether it is right.
 struct Claim {
   std::string_view id;
   /// The statement in our words, with the meaning of its letters. Its formulas stand between ` and `.
@@ -37,10 +36,10 @@ struct Claim {
   Quantities printed = {};  ///< its numbers as printed; none for an identity or a comparison
   Quantities inputs =
       {};  ///< the inputs of the computation: exponents, domains, readings of words ("accurate": 0.02)
-  std::string_view derivation;  ///< why the computed value is what it is, in a few lines
-  std::string_view evidence =
-      {};                        ///< the sentences of its finding (fit/ledger/told.hpp); empty: C++ has them
-  std::string_view figure = {};  ///< the figure that shows it, as in `plots/NAME.svg`; empty: none
+  std::string_view derivation;     ///< why the computed value is what it is, in a few lines
+  std::string_view computed = {};  ///< of its finding, with holes for numbers (fit/ledger/told.hpp)
+  std::string_view evidence = {};  ///< the same; empty where fits judge it
+  std::string_view figure = {};    ///< the figure that shows it, as in `plots/NAME.svg`; empty: none
   Source source;
   /// The published constants that fits have to reproduce, one for each printed number, in that order; empty
   /// for other kinds of claims.

@@ -3,40 +3,20 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "approx/dither.hpp"
-#include "approx/encoding.hpp"
-#include "fit/errors/effect.hpp"
-#include "fit/ledger/finding.hpp"
 #include "fit/ledger/march.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 
 namespace shadefit {
 
 std::vector<double> dither_matrix(std::string_view text, double x) {
-  const auto bad = [&] {
-    return std::invalid_argument(fmt::format("not a square matrix with one x: {}", text));
-  };
   std::vector<double> entries;
-  int letters = 0;
-  const auto rows = items_of(text, '/');
-  for (const std::string_view row : rows) {
-    const auto words = items_of(row, ' ');
-    if (words.size() != rows.size()) throw bad();
-    for (const std::string_view word : words) {
-      letters += word == "x" ? 1 : 0;
+  for (const std::string_view row : items_of(text, '/')) {
+    for (const std::string_view word : items_of(row, ' '))
       entries.push_back(word == "x" ? x : number_of(word));
-    }
   }
-  const bool is_power_of_two = (rows.size() & (rows.size() - 1)) == 0;
-  if (letters != 1 || !is_power_of_two) throw bad();
   return entries;
 }
 
@@ -97,162 +77,108 @@ double share_made_worse(int fewer, int more) {
 
 namespace {
 
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 /// The value of x in the record's matrix: the only missing entry; nothing if several are missing.
 std::optional<double> entry_left_over(std::string_view matrix) {
   const auto missing = missing_from(dither_matrix(matrix, std::numeric_limits<double>::quiet_NaN()));
   return missing.size() == 1 ? std::optional(missing.front()) : std::nullopt;
 }
 
-/// The number of entries that equal those of Bayer's matrix of that size.
-long entries_of_bayer(const std::vector<double>& entries) {
-  const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
-  long same = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const int at = static_cast<int>(i);
-    const double rank = bayer_rank(at / size, at % size, size);
-    same += entries[i] == rank / static_cast<double>(entries.size()) ? 1 : 0;
-  }
-  return same;
-}
-
-/// The effect of a wrong entry on the matrix: its offsets are shares of a step.
-std::string effect_of_entry(std::string_view matrix, double x, double wanted) {
-  const std::vector<double> printed = dither_matrix(matrix, x), corrected = dither_matrix(matrix, wanted);
-  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(printed.size()))));
-  Effect effect;
-  for (std::size_t i = 0; i < printed.size(); ++i) {
-    effect.show(
-        corrected[i], printed[i],
-        {{"row ", static_cast<double>(i / size + 1)}, {"column ", static_cast<double>(i % size + 1)}});
-  }
-  return sentence(effect, "a matrix entry (a fraction of a step)", fmt::format("x = {:.6g}", x));
-}
-
 Finding bayer(const Claim& claim) {
-  const std::string_view printed = claim.printed[0].value, matrix = claim.inputs.at("matrix");
-  const double x = number_of(printed);
-  const auto wanted = entry_left_over(matrix);
-  const std::vector<double> entries = dither_matrix(matrix, x);
-  const auto missing = missing_from(entries);
-  const std::string count = std::to_string(entries.size());
-  std::string evidence = fmt::format(
-      "the matrix has {} of the {} values 0/{} to {}/{}; {} entries are where Bayer's construction puts them",
-      entries.size() - missing.size(), count, count, entries.size() - 1, count, entries_of_bayer(entries));
-  for (const double value : missing)
-    evidence += fmt::format(". {:.6g} ({:.6g}/{}) is missing", value,
-                            value * static_cast<double>(entries.size()), count);
-  if (!wanted) return {Verdict::refuted, "none", evidence, "none"};
-  const std::vector<double> corrected = dither_matrix(matrix, *wanted);
-  return {
-      judge(printed, {"what the others leave over", *wanted}, {}).verdict, decimal(*wanted, 6),
-      fmt::format(
-          "{}. The printed entry is x = {}; the only value that the other entries leave is {:.6g}. The mean "
-          "offset is {:.6g}, and {:.6g} with the right entry",
-          evidence, printed, *wanted, mean_of(entries), mean_of(corrected)),
-      effect_of_entry(matrix, x, *wanted)};
+  const std::string_view matrix = claim.inputs.at("matrix");
+  const double x = number_of(claim.printed[0].value);
+  const auto left = entry_left_over(matrix);
+  if (!left) return {Verdict::refuted, "none", "the other entries leave no single value", "none"};
+  const std::vector<double> entries = dither_matrix(matrix, x), corrected = dither_matrix(matrix, *left);
+  const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
+  int of_bayer = 0, place = 0;  // entries that equal those of Bayer's matrix; the place of x
+  for (int i = 0; i < size * size; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    of_bayer += entries[at] * size * size == bayer_rank(i / size, i % size, size) ? 1 : 0;
+    if (entries[at] != corrected[at]) place = i;
+  }
+  const std::string effect =
+      effect_of_value(*left, x, {{"row ", place / size + 1.0}, {"column ", place % size + 1.0}},
+                      "a matrix entry (a fraction of a step)", fmt::format("x = {:.6g}", x));
+  return told(claim, judge(claim.printed[0].value, {"", *left}, {}).verdict, effect,
+              Told{"present", entries.size() - missing_from(entries).size()}, Told{"all", entries.size()},
+              Told{"of_bayer", of_bayer}, Told{"left", *left},
+              Told{"sum", std::accumulate(entries.begin(), entries.end(), 0.0)});
 }
 
-/// The rms over all pixels, each with its own offset.
-double rms_before_blur(double steps, const std::vector<double>& offsets) {
-  double squares = 0;
-  for (const double offset : offsets) squares += power(march_rms_at_offset(steps, offset), 2);
-  return std::sqrt(squares / static_cast<double>(offsets.size()));
-}
+/// The rms errors of plain marches with these step counts.
+struct PlainMarches {
+  bool is_known = true;             ///< both formulas and the closed form agree
+  bool fall = true;                 ///< with each larger count
+  std::vector<std::string> errors;  ///< "0.1155 at 5"
+  double worst_share = 0;           ///< of the edges for which the next count has a larger error
+  std::string worst_pair;           ///< "from 5 to 10 steps": there
 
-struct March {
-  std::string sentence;
-  bool is_known = true;  ///< both formulas of every rms agree
-  double rms = 0;        ///< of the dithered and blurred march
-  double largest = 0;    ///< its largest error
-  Verdict verdict = Verdict::confirmed;
+  explicit PlainMarches(const std::vector<double>& counts) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const int steps = static_cast<int>(counts[i]);
+      const MarchError error = march_error(march_places(steps, {0.0}));
+      is_known = is_known && std::abs(error.rms_by_warnock / error.rms - 1) < 1e-6 &&
+                 std::abs(march_rms(counts[i]) / error.rms - 1) < 1e-9;
+      errors.push_back(fmt::format("{:.4g} at {}", error.rms, steps));
+      if (i == 0) continue;
+      fall = fall && counts[i - 1] < counts[i];
+      const double share = share_made_worse(static_cast<int>(counts[i - 1]), steps);
+      if (share <= worst_share) continue;
+      worst_share = share;
+      worst_pair = fmt::format("from {:.6g} to {} steps", counts[i - 1], steps);
+    }
+  }
 };
 
-/// Whether the errors of plain marches decrease for the printed step counts.
-March plain_marches(const std::vector<double>& counts) {
-  std::vector<std::string> parts;
-  March march;
-  double last = std::numeric_limits<double>::infinity(), worst_share = 0;
-  std::string worst_pair;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const int steps = static_cast<int>(counts[i]);
-    const MarchError error = march_error(march_places(steps, {0.0}));
-    march.is_known = march.is_known && std::abs(error.rms_by_warnock / error.rms - 1) < 1e-6 &&
-                     std::abs(march_rms(counts[i]) / error.rms - 1) < 1e-9;
-    parts.push_back(fmt::format("{:.4g} at {:.6g}", error.rms, counts[i]));
-    if (!(march_rms(counts[i]) < last)) march.verdict = Verdict::refuted;
-    last = march_rms(counts[i]);
-    if (i == 0) continue;
-    const double share = share_made_worse(static_cast<int>(counts[i - 1]), steps);
-    if (share <= worst_share) continue;
-    worst_share = share;
-    worst_pair = fmt::format("from {:.6g} to {:.6g} steps", counts[i - 1], counts[i]);
-  }
-  march.sentence = fmt::format(
-      "over all positions of a shadow edge the rms error of n plain steps is 1/(n sqrt 3) of the beam: {} "
-      "steps, {}{}",
-      enumerated(parts),
-      march.verdict == Verdict::confirmed ? "smaller with each larger count"
-                                          : "not smaller with each larger count",
-      worst_share > 0 ? fmt::format(". But going {} makes the error larger for {:.4g} of the edges",
-                                    worst_pair, worst_share)
-                      : "");
-  return march;
-}
+/// The dithered march of a matrix against the plain one: after the blur, and before it, where each pixel has
+/// its own offset.
+struct DitheredMarch {
+  MarchError blurred;
+  double noisy, rival;
 
-/// Whether the dithered march of a matrix beats the plain one: after the blur, and before it.
-March dithered_march(const std::vector<double>& offsets, double dithered, double plain) {
-  const MarchError blurred = march_error(march_places(static_cast<int>(dithered), offsets));
-  const double noisy = rms_before_blur(dithered, offsets), rival = march_rms(plain);
-  March march;
-  march.is_known = std::abs(blurred.rms_by_warnock / blurred.rms - 1) < 1e-6;
-  march.rms = blurred.rms;
-  march.largest = blurred.largest;
-  march.verdict = !(blurred.rms < rival) ? Verdict::refuted
-                  : noisy < rival        ? Verdict::confirmed
-                                         : Verdict::conditional;
-  march.sentence = fmt::format(
-      "{:.4g} after the blur (plain steps have {:.4g} times that) and {:.4g} before it ({:.4g} times)",
-      blurred.rms, rival / blurred.rms, noisy, rival / noisy);
-  return march;
-}
+  DitheredMarch(const std::vector<double>& offsets, double steps, double plain)
+      : blurred(march_error(march_places(static_cast<int>(steps), offsets))), rival(march_rms(plain)) {
+    double squares = 0;
+    for (const double offset : offsets) squares += power(march_rms_at_offset(steps, offset), 2);
+    noisy = std::sqrt(squares / static_cast<double>(offsets.size()));
+  }
+  bool is_known() const { return std::abs(blurred.rms_by_warnock / blurred.rms - 1) < 1e-6; }
+  Verdict verdict() const { return verdict_of(std::max(blurred.rms, noisy) < rival, blurred.rms < rival); }
+  std::string words() const {
+    return fmt::format(
+        "{:.4g} after the blur (plain steps have {:.4g} times that) and {:.4g} before it ({:.4g} times)",
+        blurred.rms, rival / blurred.rms, noisy, rival / noisy);
+  }
+};
 
 /// The effect of a march's largest error on a half-lit ray of strength 1.
 std::string effect_of_march(double largest, std::string_view what, const std::string& lead) {
-  Effect effect;
-  effect.show(0.5, 0.5 + largest, {{"lit share ", 0.5}});
-  return sentence(effect, what, lead);
+  return effect_of_value(0.5, 0.5 + largest, {{"lit share ", 0.5}}, what, lead);
 }
 
 Finding march_steps(const Claim& claim) {
   const double plain = number_of(claim.printed.at("plain")),
                dithered = number_of(claim.printed.at("dithered"));
-  const std::string_view matrix = claim.inputs.at("matrix"), x = claim.inputs.at("x");
-  const auto wanted = entry_left_over(matrix);
-  if (!wanted) return {std::nullopt, "none", "the matrix leaves no single entry over", "none"};
-  const March falling = plain_marches(numbers_of(claim.printed.at("steps"), ' '));
-  const March as_printed = dithered_march(dither_matrix(matrix, number_of(x)), dithered, plain);
-  const March corrected = dithered_march(dither_matrix(matrix, *wanted), dithered, plain);
-  const std::array verdicts{falling.verdict, as_printed.verdict, corrected.verdict};
-  const bool is_known = falling.is_known && as_printed.is_known && corrected.is_known;
-  const std::string plain_steps = counted(static_cast<long>(plain), "plain step");
-  const std::string corrected_x = fmt::format("x = {:.4g}", *wanted);
-  return {
-      is_known ? std::optional(worst(verdicts)) : std::nullopt,
-      fmt::format("rms {:.6g} plain, {:.6g} dithered, {:.6g} with {}", march_rms(plain), as_printed.rms,
-                  corrected.rms, corrected_x),
-      told(claim, Told{"falling", falling.sentence}, Told{"plain_steps", plain_steps},
-           Told{"plain_rms", march_rms(plain)},
-           Told{"dithered_steps", counted(static_cast<long>(dithered), "dithered step")},
-           Told{"as_printed", as_printed.sentence}, Told{"corrected_x", corrected_x},
-           Told{"corrected", corrected.sentence}),
-      sentences({effect_of_march(1 / plain, "a half-lit ray of strength 1",
-                                 fmt::format("a march of {}", plain_steps)),
-                 effect_of_march(as_printed.largest, "it", "the dithered and blurred march"),
-                 effect_of_march(corrected.largest, "it", fmt::format("the same with {}", corrected_x))})};
+  const std::string_view matrix = claim.inputs.at("matrix");
+  const auto right = entry_left_over(matrix);
+  if (!right) return {std::nullopt, "none", "the matrix leaves no single entry over", "none"};
+  const PlainMarches falling(numbers_of(claim.printed.at("steps"), ' '));
+  const DitheredMarch as_printed(dither_matrix(matrix, given(claim, "x")), dithered, plain);
+  const DitheredMarch corrected(dither_matrix(matrix, *right), dithered, plain);
+  const std::array verdicts{verdict_of(falling.fall), as_printed.verdict(), corrected.verdict()};
+  const bool is_known = falling.is_known && as_printed.is_known() && corrected.is_known();
+  const std::string effect = sentences(
+      {effect_of_march(1 / plain, "a half-lit ray of strength 1",
+                       fmt::format("a march of {:.6g} plain steps", plain)),
+       effect_of_march(as_printed.blurred.largest, "it", "the dithered and blurred march"),
+       effect_of_march(corrected.blurred.largest, "it", fmt::format("the same with x = {:.4g}", *right))});
+  return told(claim, is_known ? std::optional(worst(verdicts)) : std::nullopt, effect,
+              Told{"errors", enumerated(falling.errors)},
+              Told{"smaller", falling.fall ? "smaller" : "not smaller"},
+              Told{"worst_pair", falling.worst_pair}, Told{"worst_share", falling.worst_share},
+              Told{"plain_rms", march_rms(plain)}, Told{"rms", as_printed.blurred.rms},
+              Told{"as_printed", as_printed.words()}, Told{"right", *right},
+              Told{"right_rms", corrected.blurred.rms}, Told{"corrected", corrected.words()});
 }
 
 /// The sum of weights at which white loses that many codes.
@@ -263,35 +189,26 @@ double weight_that_loses(double codes, double epsilon) {
 
 /// The effect of epsilon on white if the taps have that sum of weights: with sum 0 it is black.
 std::string effect_on_white(double weight, double epsilon, const std::string& lead) {
-  Effect effect;
-  effect.show(1, guarded_mean(weight, weight, epsilon), {{"W = ", weight}});
-  return sentence(effect, "white", lead);
+  return effect_of_value(1, guarded_mean(weight, weight, epsilon), {{"W = ", weight}}, "white", lead);
 }
 
 Finding bilateral_epsilon(const Claim& claim) {
   const std::string_view printed = claim.printed[0].value;
   const double epsilon = number_of(printed), taps = given(claim, "taps");
-  const double falloff = given(claim, "falloff");
-  const double visible_codes = given(claim, "visible codes");
-  const double second_codes = given(claim, "second reading");
-  const double limit = weight_that_loses(visible_codes, epsilon);
-  const auto gap_of = [&](double weight) { return (1 - weight / taps) / falloff; };
+  const double limit = weight_that_loses(given(claim, "visible codes"), epsilon);
+  const double second_limit = weight_that_loses(given(claim, "second reading"), epsilon);
+  const auto gap_of = [&](double weight) { return (1 - weight / taps) / given(claim, "falloff"); };
   const double flat = guarded_mean(taps, taps, epsilon);
   const Eigen::half half_taps = constant<Eigen::half>(claim.inputs.at("taps"));
   const bool half_keeps =
       guarded_mean(half_taps, half_taps, constant<Eigen::half>(printed)) == integer<Eigen::half>(1);
-  const Verdict verdict = limit <= 0     ? Verdict::confirmed
-                          : limit < taps ? Verdict::conditional
-                                         : Verdict::refuted;
-  return {
-      verdict, fmt::format("true for a sum of weights W above {:.4g}", limit),
-      told(claim, Told{"loss", 1 - flat}, Told{"codes", 255 - srgb_code(flat)},
-           Told{"in_half", half_keeps ? "; in half arithmetic it loses nothing" : ""}, Told{"limit", limit},
-           Told{"gap", gap_of(limit)}, Told{"second_limit", weight_that_loses(second_codes, epsilon)},
-           Told{"second_gap", gap_of(weight_that_loses(second_codes, epsilon))}),
-      sentences(
-          {effect_on_white(taps, epsilon, "where depths agree it"),
-           epsilon > 0 ? effect_on_white(0, epsilon, "where every tap is beyond a depth edge it") : "none"})};
+  return told(claim, verdict_of(limit <= 0, limit < taps),
+              sentences({effect_on_white(taps, epsilon, "where depths agree it"),
+                         effect_on_white(0, epsilon, "where every tap is beyond a depth edge it")}),
+              Told{"loss", 1 - flat}, Told{"codes", 255 - srgb_code(flat)},
+              Told{"in_half", half_keeps ? "; in half arithmetic it loses nothing" : ""},
+              Told{"limit", limit}, Told{"gap", gap_of(limit)}, Told{"second_limit", second_limit},
+              Told{"second_gap", gap_of(second_limit)});
 }
 
 }  // namespace

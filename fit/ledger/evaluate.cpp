@@ -1,5 +1,3 @@
-#include "fit/ledger/evaluate.hpp"
-
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -7,11 +5,11 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/fit.hpp"
+#include "fit/ledger/ledger.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
-#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {
@@ -99,7 +97,6 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
 /// Judges the printed numbers of a claim like its published constants: by fits on the domain of the inputs
 /// `from` and `to`, over the input `exponents` if the claim has one.
 Finding evaluate_published(const Claim& claim, Fits& fits) {
-  if (claim.printed.size() != claim.constants.size()) throw std::logic_error("a number without its record");
   const Domain domain{given(claim, "from"), given(claim, "to")};
   std::vector<std::optional<Verdict>> found;
   std::vector<std::string> computed, evidence, effects;
@@ -109,11 +106,9 @@ Finding evaluate_published(const Claim& claim, Fits& fits) {
     const Published published = as_claimed(record, claim, printed.value);
     const Finding part = evaluate_part(fits.of(*find_family(published.family)), published, domain);
     found.push_back(part.verdict);
-    computed.push_back((printed.name.empty() ? "" : fmt::format("{} = ", printed.name)) + part.computed);
+    computed.push_back(fmt::format("{} = {}", printed.name, part.computed));
     evidence.push_back(part.evidence);
-    effects.push_back(part.effect == "none" || printed.name.empty()
-                          ? part.effect
-                          : fmt::format("{}: {}", printed.name, part.effect));
+    effects.push_back(part.effect == "none" ? "none" : fmt::format("{}: {}", printed.name, part.effect));
   }
   return {worst(found), fmt::format("{}", fmt::join(computed, ", ")), sentences(evidence),
           sentences(effects)};
@@ -125,8 +120,8 @@ Evaluate evaluator_of(const Claim& claim) {
       lobe_evaluators,        gloss_evaluators,         arithmetic_evaluators,      half_banding_evaluators,
       cost_evaluators,        kernels_evaluators,       density_evaluators,         fresnel_evaluators,
       phong_blinn_evaluators, normalisation_evaluators, environment_map_evaluators, solid_angle_evaluators,
-      gloss_chain_evaluators, harmonics_evaluators,     material_evaluators,        colour_chart_evaluators,
-      dither_evaluators,      microfacet_evaluators};
+      harmonics_evaluators,   material_evaluators,      colour_chart_evaluators,    dither_evaluators,
+      microfacet_evaluators};
   for (const auto& evaluators : topics) {
     for (const Evaluator& evaluator : evaluators()) {
       if (evaluator.id == claim.id) return evaluator.evaluate;

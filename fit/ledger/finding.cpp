@@ -1,9 +1,9 @@
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 #include <cmath>
 
 #include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
-#include "fit/errors/effect.hpp"
 #include "fit/ledger/agreement.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/support/format.hpp"
@@ -49,10 +49,6 @@ std::optional<Verdict> worst(std::span<const std::optional<Verdict>> parts) {
   return *std::ranges::max_element(parts);
 }
 
-std::string identity_if(const std::optional<Verdict>& verdict) {
-  return verdict == Verdict::confirmed ? "identity" : "no identity";
-}
-
 std::optional<Verdict> judge_known_to(std::string_view printed, double value, double error) {
   const Verdict low = judge(printed, {"", value - error}, {}).verdict;
   const Verdict high = judge(printed, {"", value + error}, {}).verdict;
@@ -69,25 +65,15 @@ double given(const Claim& claim, std::string_view name) {
 
 std::vector<std::string> items_of(std::string_view text, char separator) {
   std::vector<std::string> items;
-  while (true) {
-    const auto end = text.find(separator);
-    std::string_view item = text.substr(0, end);
-    while (item.starts_with(' ')) item.remove_prefix(1);
-    while (item.ends_with(' ')) item.remove_suffix(1);
-    items.emplace_back(item);
-    if (end == std::string_view::npos) return items;
-    text.remove_prefix(end + 1);
-  }
+  boost::split(items, text, [=](char c) { return c == separator; });
+  for (std::string& item : items) boost::trim(item);
+  return items;
 }
 
 std::vector<double> numbers_of(std::string_view text, char separator) {
   std::vector<double> numbers;
   for (const std::string& item : items_of(text, separator)) numbers.push_back(number_of(item));
   return numbers;
-}
-
-double codes_of_factor(double ratio) {
-  return effect_on_greys(ratio).srgb_codes;
 }
 
 std::string effect_of_factor(double printed, double exact, std::string_view lead) {
@@ -101,8 +87,11 @@ std::string effect_of_factor(double printed, double exact, std::string_view lead
                   ratio < 1 ? "small" : "large", std::abs(ratio - 1), itself));
 }
 
-std::string none_because(std::string_view reason) {
-  return fmt::format("none: {}", reason);
+std::string effect_of_value(double before, double after, const Coordinates& at, std::string_view what,
+                            std::string_view lead) {
+  Effect effect;
+  effect.show(before, after, at);
+  return sentence(effect, what, lead);
 }
 
 }  // namespace shadefit

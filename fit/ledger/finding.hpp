@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/errors/effect.hpp"
 #include "fit/ledger/claim.hpp"
 #include "fit/verdicts/verdict.hpp"
 
@@ -42,13 +43,15 @@ constexpr Verdict verdict_of(bool holds) {
   return holds ? Verdict::confirmed : Verdict::refuted;
 }
 
-/// `confirmed` if all cases of a statement hold, `refuted` if none does, else `conditional`.
-constexpr Verdict verdict_of_cases(std::size_t holding, std::size_t cases) {
-  return holding == cases ? Verdict::confirmed : holding == 0 ? Verdict::refuted : Verdict::conditional;
+/// `conditional` if it holds in a part only.
+constexpr Verdict verdict_of(bool holds, bool holds_in_part) {
+  return holds ? Verdict::confirmed : holds_in_part ? Verdict::conditional : Verdict::refuted;
 }
 
-/// The computed text of an identity: "identity" if it was confirmed.
-std::string identity_if(const std::optional<Verdict>& verdict);
+/// `confirmed` if all cases of a statement hold, `refuted` if none does, else `conditional`.
+constexpr Verdict verdict_of_cases(std::size_t holding, std::size_t cases) {
+  return verdict_of(holding == cases, holding > 0);
+}
 
 /// Judges a printed number by a value that is known to `error` (absolute). Empty if the two ends of value +-
 /// error have different verdicts.
@@ -67,15 +70,12 @@ std::vector<std::string> items_of(std::string_view text, char separator = ',');
 /// The same as numbers. Throws std::invalid_argument if an item is not a number.
 std::vector<double> numbers_of(std::string_view text, char separator = ',');
 
-/// The largest shift in 8-bit sRGB codes when every colour in [0, 1] is multiplied by that ratio; sampled at
-/// the 255 linear greys.
-double codes_of_factor(double ratio);
-
 /// The effect of a wrong factor on the 255 linear greys, in the words of `sentence`. "none" if printed and
 /// exact are equal. The lead names the constant or the place: "at k = 2 it".
 std::string effect_of_factor(double printed, double exact, std::string_view lead = {});
 
-/// "none: no value changes", for a difference that is not visible.
-std::string none_because(std::string_view reason);
+/// The effect of one value instead of another, in the words of `sentence`.
+std::string effect_of_value(double before, double after, const Coordinates& at, std::string_view what,
+                            std::string_view lead);
 
 }  // namespace shadefit

@@ -1,29 +1,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "approx/arithmetic.hpp"
 #include "approx/lobe.hpp"
 #include "fit/errors/banding.hpp"
-#include "fit/errors/effect.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half_result.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
 
 /// A form of c^k with each operation rounded to half.
-using Rounded = HalfResult (*)(const HalfResult& cos_theta, const HalfResult& exponent);
-
 struct RoundedForm {
   std::string_view name;
-  Rounded curve;
+  HalfResult (*curve)(const HalfResult& cos_theta, const HalfResult& exponent);
   bool is_published;  ///< one of the two forms of the claim
   /// The roundings of the exponent of its exp2 with a float cosine, each relative to the exponent; 0: one of
   /// them is relative to something larger.
@@ -79,16 +71,9 @@ double largest_step_of_roundings(int roundings, double last) {
   });
 }
 
-/// Whether these roundings prove that a form with a float cosine never bands for powers up to `last`.
-bool never_bands(const RoundedForm& form, double visible, double last) {
-  return form.relative_roundings > 0 && largest_step_of_roundings(form.relative_roundings, last) <= visible;
-}
-
-/// The first whole power up to `last` that bands, found by trying each from 1 on. Empty if none does; proven
-/// by the roundings if possible.
+/// The first whole power up to `last` that bands, found by trying each from 1 on. Empty if none does.
 std::optional<int> first_banding_power(const RoundedForm& form, Highlight highlight, double visible,
                                        double last) {
-  if (!highlight.half_cosine && never_bands(form, visible, last)) return std::nullopt;
   highlight.least = visible;
   for (int k = 1; k <= last; ++k) {
     highlight.exponent = k;
@@ -136,14 +121,15 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
   for (const RoundedForm& form : rounded_forms) {
     const Banding at_power = banding_of(form, highlight),
                   at_low = banding_of(form, {low, half_cosine, highlight.samples});
-    const auto first = first_banding_power(form, highlight, visible, last);
-    std::string more;
-    if (first) {
-      more = fmt::format(", where {} of 256 codes are left", at_power.codes);
-    } else if (!half_cosine && never_bands(form, visible, last)) {
-      more = fmt::format(". Rounding changes it by at most {:.2g} codes at each power",
-                         largest_step_of_roundings(form.relative_roundings, last));
-    }
+    // with a float cosine the roundings may prove that no power bands
+    const double most = half_cosine || form.relative_roundings == 0
+                            ? HUGE_VAL
+                            : largest_step_of_roundings(form.relative_roundings, last);
+    const auto first = most <= visible ? std::nullopt : first_banding_power(form, highlight, visible, last);
+    const std::string more =
+        first             ? fmt::format(", where {} of 256 codes are left", at_power.codes)
+        : most <= visible ? fmt::format(". Rounding changes it by at most {:.2g} codes at each power", most)
+                          : "";
     found.steps.push_back(decimal(at_power.step, 2));
     found.evidence.push_back(fmt::format(
         "With the cosine in {} {} {}: its largest step is {} codes at power {:.4g} and {} at power {:.6g}{}",
@@ -178,26 +164,15 @@ Finding half_banding(const Claim& claim) {
   const std::size_t forms = half.forms + wide.forms;
   const std::array parts{verdict_of_cases(half.bands + wide.bands, forms),
                          verdict_of_cases(forms - half.low_bands - wide.low_bands, forms)};
-  const std::string exponent(claim.printed[0].value);
-  std::vector<std::string> evidence{fmt::format(
-      "each form computes in half, from a cosine in half or in float. A step of more than {:.4g} of the 256 "
-      "codes shows as a band. All whole powers from 1 to {:.6g} were tried",
-      given(claim, "visible step in 8-bit sRGB codes"), given(claim, "powers up to"))};
-  evidence.insert(evidence.end(), half.evidence.begin(), half.evidence.end());
-  evidence.insert(evidence.end(), wide.evidence.begin(), wide.evidence.end());
-  evidence.push_back(fmt::format(
-      "A comment under the post gives a remedy: only the result in half. Then the largest step at power {} is "
-      "{:.2g} codes",
-      exponent,
-      step_of_remedy(number_of(exponent), static_cast<int>(given(claim, "samples of a float cosine")))));
-  return {worst(parts),
-          fmt::format("pow, exp2(A c - A) and exp2(A (c - 1)): steps of {} codes with the cosine in half, "
-                      "steps of {} with the cosine in float",
-                      enumerated(half.steps), enumerated(wide.steps)),
-          sentences(evidence),
-          sentences({sentence(half.effect, "a smooth highlight of peak 1",
-                              fmt::format("at power {} rounding with the cosine in half", exponent)),
-                     sentence(wide.effect, "it", "rounding with the cosine in float")})};
+  const std::string_view exponent = claim.printed[0].value;
+  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
+  return told(claim, worst(parts),
+              sentences({sentence(half.effect, "a smooth highlight of peak 1",
+                                  fmt::format("at power {} rounding with the cosine in half", exponent)),
+                         sentence(wide.effect, "it", "rounding with the cosine in float")}),
+              Told{"half_steps", enumerated(half.steps)}, Told{"float_steps", enumerated(wide.steps)},
+              Told{"half_forms", sentences(half.evidence)}, Told{"float_forms", sentences(wide.evidence)},
+              Told{"remedy", step_of_remedy(number_of(exponent), samples)});
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/ledger/claim.hpp"
-#include "fit/ledger/evaluate.hpp"
+#include "fit/ledger/finding.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "fit/verdicts/refit.hpp"
 
 /// All claims, and a finding for each.
 namespace shadefit {
@@ -21,6 +21,9 @@ struct JudgedClaim {
   const Claim* claim;
   Finding finding;
 };
+
+/// Computes one claim; fits come from `fits`. Throws std::logic_error for an unknown claim.
+Finding evaluate(const Claim& claim, Fits& fits);
 
 /// Computes the wanted claims, in the order of the ledger. The checkpoint is called before each.
 std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,

@@ -7,7 +7,6 @@
 namespace shadefit {
 
 /// The entries of a dither matrix, "0 0.5 / 0.75 x", row by row, with `x` for the letter x.
-/// Throws std::invalid_argument unless it is square, its size a power of two, with one letter x.
 std::vector<double> dither_matrix(std::string_view text, double x);
 
 /// The numbers of 0/n .. (n-1)/n, n the number of entries, that are missing.

@@ -8,12 +8,6 @@
 namespace shadefit {
 namespace {
 
-/// What a published constant and a normalisation have in common.
-struct PrintedRecord {
-  std::string_view printed;
-  Source source;
-};
-
 class ClaimReader {
  public:
   ClaimReader(const std::string& name, ReadClaims& into) : file_("claims '" + name + "'"), into_(into) {}
@@ -24,7 +18,7 @@ class ClaimReader {
       file_.require_keys(table, {"author", "year", "title", "place", "address", "of"});
       into_.sources[std::string(name)] =
           table.contains("of")
-              ? record(*table.get("of"), file_.required(table, "of")).source
+              ? record(*table.get("of"), file_.required(table, "of")).second
               : Source{required(table, "author"), static_cast<int>(table["year"].value_or(0)),
                        required(table, "title"), required(table, "place"), optional(table, "address")};
     }
@@ -54,7 +48,8 @@ class ClaimReader {
     return found == published_constants.end() ? nullptr : &*found;
   }
 
-  PrintedRecord record(const toml::node& node, std::string_view id) const {
+  /// What the constant or normalisation of that id prints, and its source.
+  std::pair<std::string_view, Source> record(const toml::node& node, std::string_view id) const {
     if (const Published* found = published(id)) return {found->printed, found->source};
     const auto found = std::ranges::find(normalisations, id, &Normalisation::id);
     if (found == normalisations.end()) file_.fail(node, fmt::format("no constant has the id '{}'", id));
@@ -69,7 +64,7 @@ class ClaimReader {
         file_.fail(*node, fmt::format("'{}' must be a list of pairs: a name and a value", key));
       const std::string value = file_.text(*pair->get(1), key);
       result.push_back({kept(file_.text(*pair->get(0), key)),
-                        value.starts_with('=') ? record(*node, value.substr(1)).printed : kept(value)});
+                        value.starts_with('=') ? record(*node, value.substr(1)).first : kept(value)});
     }
     return result;
   }
@@ -100,13 +95,14 @@ class ClaimReader {
   }
 
   Claim claim(const toml::table& table, const std::vector<Claim>& before) const {
-    file_.require_keys(table, {"id", "statement", "printed", "inputs", "derivation", "evidence", "figure",
-                               "source", "constants"});
+    file_.require_keys(table, {"id", "statement", "printed", "inputs", "derivation", "computed", "evidence",
+                               "figure", "source", "constants"});
     Claim claim{.id = required(table, "id"),
                 .statement = required(table, "statement"),
                 .printed = quantities(table, "printed"),
                 .inputs = quantities(table, "inputs"),
                 .derivation = derivation(table, before),
+                .computed = optional(table, "computed"),
                 .evidence = optional(table, "evidence"),
                 .figure = optional(table, "figure"),
                 .source = source(table),

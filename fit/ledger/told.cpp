@@ -1,11 +1,9 @@
 #include "fit/ledger/told.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "fit/formula/parse_formula.hpp"
-#include "fit/ledger/finding.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
@@ -66,18 +64,24 @@ class Sentence {
   const std::vector<Told>& found_;
 };
 
+std::string filled(std::string_view text, const Sentence& sentence) {
+  std::string out;
+  while (true) {
+    const auto open = text.find('{'), close = text.find('}');
+    out += text.substr(0, open);
+    if (open == std::string_view::npos) return out;
+    out += sentence.filled(text.substr(open + 1, close - open - 1));
+    text.remove_prefix(close + 1);
+  }
+}
+
 }  // namespace
 
-std::string told_of(const Claim& claim, const std::vector<Told>& found) {
+Finding told_of(const Claim& claim, std::optional<Verdict> verdict, const std::string& effect,
+                std::vector<Told> found) {
+  found.emplace_back("identity", verdict == Verdict::confirmed ? "identity" : "no identity");
   const Sentence sentence(claim, found);
-  std::string out;
-  for (std::string_view rest = claim.evidence;;) {
-    const auto open = rest.find('{'), close = rest.find('}');
-    out += rest.substr(0, open);
-    if (open == std::string_view::npos) return out;
-    out += sentence.filled(rest.substr(open + 1, close - open - 1));
-    rest.remove_prefix(close + 1);
-  }
+  return {verdict, filled(claim.computed, sentence), filled(claim.evidence, sentence), effect};
 }
 
 }  // namespace shadefit

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "fit/ledger/finding.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/told.hpp"
+#include "fit/ledger/where.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
+#include "fit/support/sweep.hpp"
 
-/// The functions that compute the claims: one function and one file for each topic.
+/// The functions that compute the claims: one function and one file for each topic, and what all of them use.
 namespace shadefit {
 
 std::vector<Evaluator> lobe_evaluators();
@@ -19,7 +26,6 @@ std::vector<Evaluator> phong_blinn_evaluators();
 std::vector<Evaluator> normalisation_evaluators();
 std::vector<Evaluator> environment_map_evaluators();
 std::vector<Evaluator> solid_angle_evaluators();
-std::vector<Evaluator> gloss_chain_evaluators();
 std::vector<Evaluator> harmonics_evaluators();
 std::vector<Evaluator> material_evaluators();
 std::vector<Evaluator> colour_chart_evaluators();

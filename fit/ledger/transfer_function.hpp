@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// Named conversions of a code of an 8-bit texture to linear light. The records on colour charts are judged
 /// under these.
@@ -17,11 +16,8 @@ struct TransferFunction {
   double code(double linear) const;  ///< as a real number, of linear light in [0, 1]
 };
 
-/// "sRGB", "gamma 2.2" (any exponent above 0), each with or without " of code/256" (any divisor above 0;
-/// without it 255). Throws std::invalid_argument for anything else.
+/// "sRGB", "gamma 2.2", each with or without " of code/256" (without it 255). Throws std::invalid_argument
+/// for anything else.
 TransferFunction transfer_function(std::string_view name);
-
-/// The same for a list by commas.
-std::vector<TransferFunction> transfer_functions(std::string_view names);
 
 }  // namespace shadefit

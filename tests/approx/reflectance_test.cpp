@@ -6,16 +6,14 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include "tests/accuracy.hpp"
+#include "tests/fit/ledger/vector.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::dot;
 using testing::is_close;
-using Vector = std::array<Decimal50, 3>;
-
-Decimal50 dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using testing::Vector;
 
 Vector along(const Decimal50& p, const Vector& a, const Decimal50& q, const Vector& b) {
   return {p * a[0] + q * b[0], p * a[1] + q * b[1], p * a[2] + q * b[2]};

@@ -4,17 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <vector>
 
-#include "approx/encoding.hpp"
-#include "fit/errors/effect.hpp"
-#include "fit/ledger/agreement.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/quadrature/integrate.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -48,91 +39,72 @@ Integral integral_of_product(int i, int j) {
   return {first.value - 2, std::max({first.error, second.error, std::abs(first.value - second.value)})};
 }
 
-/// The ten integrals of products: the norms, and the largest of the others, which should be 0.
-struct Orthogonality {
+Finding evaluate_basis(const Claim& claim) {
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  const std::array closed_forms{harmonic_of_band_zero<double>(), harmonic_of_band_one<double>()};
+  // The ten integrals of products: the norms, and the largest of the others, which should be 0.
   std::array<double, 4> norm{};
-  double coupling = 0;  ///< the largest between two different functions
-  double error = 0;     ///< estimated, and the distance of the two rules
-};
-
-Orthogonality integrate_products() {
-  Orthogonality result;
+  double coupling = 0, rule_error = 0;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j <= i; ++j) {
       const Integral product = integral_of_product(i, j);
-      result.error = std::max(result.error, product.error);
-      if (i == j) {
-        result.norm[static_cast<std::size_t>(i)] = product.value;
-      } else {
-        result.coupling = std::max(result.coupling, std::abs(product.value));
-      }
+      rule_error = std::max(rule_error, product.error);
+      if (i == j) norm[static_cast<std::size_t>(i)] = product.value;
+      if (i != j) coupling = std::max(coupling, std::abs(product.value));
     }
   }
-  return result;
-}
-
-Finding evaluate_basis(const Claim& claim) {
-  const std::string_view tolerance = claim.inputs.at("tolerance");
-  const Orthogonality products = integrate_products();
-  const std::array closed_forms{harmonic_of_band_zero<double>(), harmonic_of_band_one<double>()};
   std::vector<std::optional<Verdict>> verdicts;
-  std::vector<std::string> computed, norms, effects;
+  std::vector<std::string> norms, effects;
   // The integrals are of functions without their factors, and at most 4 pi. Orthonormal are those with them.
   const double squared_factor = closed_forms[1] * closed_forms[1];
-  const double uncertainty = products.error * squared_factor;
-  double gap = products.coupling * squared_factor;
+  const double uncertainty = rule_error * squared_factor;
+  double gap = coupling * squared_factor;
   for (std::size_t band = 0; band < 2; ++band) {
     const Quantity& printed = claim.printed[band];
     const double exact = closed_forms[band], stated = number_of(printed.value);
-    const double error = products.error * exact;  // more than its share of the error of the norm
-    verdicts.push_back(judge_known_to(printed.value, 1 / std::sqrt(products.norm[band]), error));
+    const double error = rule_error * exact;  // more than its share of the error of the norm
+    verdicts.push_back(judge_known_to(printed.value, 1 / std::sqrt(norm[band]), error));
     for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i)
-      gap = std::max(gap, std::abs(products.norm[i] * exact * exact - 1));
-    computed.push_back(fmt::format("{} = {:.10g}", printed.name, exact));
+      gap = std::max(gap, std::abs(norm[i] * exact * exact - 1));
     norms.push_back(fmt::format("1 {}{:.3g}", stated < exact ? "- " : "+ ",
                                 std::abs(stated * stated / (exact * exact) - 1)));
     effects.push_back(effect_of_factor(stated, exact, printed.name));
   }
   if (uncertainty > number_of(tolerance)) verdicts.push_back(std::nullopt);
-  verdicts.push_back(verdict_of(gap <= number_of(tolerance) || uncertainty > number_of(tolerance)));
-  return {worst(verdicts), enumerated(computed),
-          told(claim, Told{"agree", within(std::max(gap, uncertainty), tolerance)},
-               Told{"norms", enumerated(norms)}),
-          sentences(effects)};
+  verdicts.push_back(verdict_of(gap <= number_of(tolerance)));
+  return told(claim, worst(verdicts), sentences(effects),
+              Told{"agree", within(std::max(gap, uncertainty), tolerance)}, Told{"norms", enumerated(norms)});
 }
 
 Finding evaluate_memory(const Claim& claim) {
-  const auto input = [&](std::string_view name) { return std::lround(given(claim, name)); };
-  const long bits = input("channels") * input("coefficients") * input("bits");
-  const long bytes = bits * input("width") * input("height") / 8;
+  double bytes = 1.0 / 8;
+  for (const Quantity& input : claim.inputs) bytes *= number_of(input.value);
   const std::string_view printed = claim.printed[0].value;
-  const double decimal_megabytes = static_cast<double>(bytes) / 1e6;
-  const double binary_megabytes = static_cast<double>(bytes) / 0x1p20;
-  const Verdict verdict = units_off(printed, decimal_megabytes) == 0  ? Verdict::confirmed
-                          : units_off(printed, binary_megabytes) == 0 ? Verdict::other_objective
-                                                                      : Verdict::refuted;
-  const std::string sizes =
-      fmt::format("{:.6g} MB of 10^6 bytes, {:.6g} MiB of 2^20 bytes", decimal_megabytes, binary_megabytes);
-  return {verdict, sizes,
-          fmt::format("{:.6g} bytes per pixel are {:.10g} bytes in all: {}{}", static_cast<double>(bits) / 8,
-                      static_cast<double>(bytes), sizes,
-                      verdict == Verdict::other_objective
-                          ? ". The printed digits are those of the other objective: binary megabytes"
-                          : "")};
+  const Verdict verdict = units_off(printed, bytes / 1e6) == 0      ? Verdict::confirmed
+                          : units_off(printed, bytes / 0x1p20) == 0 ? Verdict::other_objective
+                                                                    : Verdict::refuted;
+  return told(claim, verdict, "none", Told{"bytes", bytes});
 }
 
 /// The part of the clamped cosine in its first bands.
 struct Kept {
   double energy = 0;          ///< share of the squared norm
   double peak = 0;            ///< value towards the light, where the original is 1
-  std::vector<double> peaks;  ///< the sums up to each band
+  std::vector<double> peaks;  ///< that of each band
 
-  /// The projection of max(cos theta, 0).
-  double at(double cos_theta) const {
-    double sum = 0;
-    for (std::size_t band = 0; band < peaks.size(); ++band)
-      sum += peaks[band] * legendre_polynomial(static_cast<int>(band), cos_theta);
-    return sum;
+  /// Bands 0 .. bands - 1, from moments by two rules beside their closed form.
+  Kept(int bands, Agreement& agreement) {
+    for (int band = 0; band < bands; ++band) {
+      const double moment = clamped_cosine_moment<double>(band);
+      const auto integrand = [band](double c) { return c * legendre_polynomial(band, c); };
+      // An odd moment beyond the first is 0, so moments plus 1 are compared.
+      const Integral found = gauss_kronrod(integrand, 0, 1, harmonic_tolerance, harmonic_tolerance);
+      agreement.compare(moment + 1, {found.value + 1, found.error},
+                        tanh_sinh([&](double c) { return integrand(c) + 1; }, 0, 1, harmonic_tolerance));
+      energy += energy_of_band(band, moment);
+      peaks.push_back(peak_of_band(band, moment));
+      peak += peaks.back();
+    }
   }
 };
 
@@ -141,29 +113,13 @@ std::string effect_of_keeping(const Kept& kept, std::string_view coefficients) {
   Effect effect;
   for (int degrees = 0; degrees <= 180; ++degrees) {
     const double cosine = std::cos(degrees * std::numbers::pi / 180);
-    effect.show(std::max(0.0, cosine), kept.at(cosine),
-                {{"theta = ", static_cast<double>(degrees), " degrees"}});
+    double sum = 0;
+    for (std::size_t band = 0; band < kept.peaks.size(); ++band)
+      sum += kept.peaks[band] * legendre_polynomial(static_cast<int>(band), cosine);
+    effect.show(std::max(0.0, cosine), sum, {{"theta = ", static_cast<double>(degrees), " degrees"}});
   }
   return sentence(effect, "the light on a white surface",
                   fmt::format("keeping {} coefficients", coefficients));
-}
-
-/// Bands 0 .. bands - 1, from moments by two rules beside their closed form.
-Kept keep_bands(int bands, Agreement& agreement) {
-  Kept kept;
-  for (int band = 0; band < bands; ++band) {
-    const double moment = clamped_cosine_moment<double>(band);
-    const auto integrand = [band](double c) { return c * legendre_polynomial(band, c); };
-    // An odd moment beyond the first is 0, so moments plus 1 are compared.
-    const auto shifted = [](Integral integral) { return Integral{integral.value + 1, integral.error}; };
-    agreement.compare(moment + 1,
-                      shifted(gauss_kronrod(integrand, 0, 1, harmonic_tolerance, harmonic_tolerance)),
-                      tanh_sinh([&](double c) { return integrand(c) + 1; }, 0, 1, harmonic_tolerance));
-    kept.energy += energy_of_band(band, moment);
-    kept.peaks.push_back(peak_of_band(band, moment));
-    kept.peak += kept.peaks.back();
-  }
-  return kept;
 }
 
 /// A number as the fraction with the smallest denominator up to 4096 that equals it to 1e-12; else as a
@@ -178,50 +134,39 @@ std::string as_fraction(double value) {
 }
 
 /// The number of bands from which on the value towards the light is within one 8-bit sRGB code of the
-/// original, for up to `most` bands; 0 if there is none.
+/// original, looked at up to `most` bands.
 int bands_within_a_code(int most) {
-  int enough = 0;
+  int enough = 1;
   double peak = 0;
   for (int band = 0; band < most; ++band) {
     peak += peak_of_band(band, clamped_cosine_moment<double>(band));
     // above 1 the code is clamped but the light is not: an excess counts like the same deficit
-    const bool is_within = srgb_code(1.0) - srgb_code(1 - std::abs(peak - 1)) <= 1;
-    if (!is_within) enough = 0;
-    if (is_within && enough == 0) enough = band + 1;
+    if (srgb_code(1.0) - srgb_code(1 - std::abs(peak - 1)) > 1) enough = band + 2;
   }
   return enough;
 }
 
 Finding evaluate_loss(const Claim& claim) {
-  const auto bands_of = [&](std::string_view name) {
-    return static_cast<int>(std::lround(std::sqrt(given(claim, name))));
-  };
   const std::string_view tolerance = claim.inputs.at("tolerance");
   Agreement agreement;
-  const Kept few = keep_bands(bands_of("coefficients"), agreement);
-  const Kept more = keep_bands(bands_of("more coefficients"), agreement);
+  const auto keep = [&](std::string_view coefficients) {
+    return Kept(static_cast<int>(std::lround(std::sqrt(given(claim, coefficients)))), agreement);
+  };
+  const Kept few = keep("coefficients"), more = keep("more coefficients");
   const double little = given(claim, "a little");
   const bool is_little = few.energy < 1 && 1 - few.energy <= little;
   const bool is_closer = more.energy > few.energy && std::abs(more.peak - 1) < std::abs(few.peak - 1);
   const std::optional<Verdict> parts[] = {agreement.verdict(number_of(tolerance)), verdict_of(is_little),
                                           verdict_of(is_closer)};
-  const auto words = [](const Kept& kept, std::string_view coefficients) {
-    return fmt::format(
-        "{} coefficients keep {} = {:.6g} of the energy of the clamped cosine, and make its value facing the "
-        "light {} of "
-        "the exact one",
-        coefficients, as_fraction(kept.energy), kept.energy, as_fraction(kept.peak));
-  };
   const int enough = bands_within_a_code(64);
-  return {worst(parts),
-          fmt::format("energy kept = {} and {}", as_fraction(few.energy), as_fraction(more.energy)),
-          told(claim, Told{"few", words(few, claim.inputs.at("coefficients"))},
-               Told{"more", words(more, claim.inputs.at("more coefficients"))},
-               Told{"agree", within(agreement.gap, tolerance)},
-               Told{"enough", static_cast<double>(enough * enough)},
-               Told{"dark", srgb_code(1.0) - srgb_code(few.peak)}, Told{"bright", 100 * (more.peak - 1)}),
-          sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
-                     effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
+  return told(claim, worst(parts),
+              sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
+                         effect_of_keeping(more, claim.inputs.at("more coefficients"))}),
+              Told{"few", few.energy}, Told{"few_share", as_fraction(few.energy)},
+              Told{"few_peak", as_fraction(few.peak)}, Told{"more", more.energy},
+              Told{"more_share", as_fraction(more.energy)}, Told{"more_peak", as_fraction(more.peak)},
+              Told{"agree", within(agreement.gap, tolerance)}, Told{"enough", enough * enough},
+              Told{"dark", srgb_code(1.0) - srgb_code(few.peak)}, Told{"bright", 100 * (more.peak - 1)});
 }
 
 }  // namespace

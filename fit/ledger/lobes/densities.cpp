@@ -2,27 +2,21 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 #include "approx/phase.hpp"
 #include "approx/von_mises_fisher.hpp"
-#include "fit/errors/effect.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/quadrature/integrate.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
-#include "fit/support/sweep.hpp"
 
 namespace shadefit {
 namespace {
 
-/// The allowed difference of the rules from the closed form and from each other: their tolerance is 1e-13,
-/// and sums of about a hundred ordinates, each with a few roundings, stay within ten times that.
-constexpr double phase_agreement = 1e-12;
+/// The allowed difference of the rules from the closed form and from each other, for integrals that are 1:
+/// their tolerance is 1e-13 or less, and sums of about a hundred ordinates, each with a few roundings, stay
+/// within ten times that.
+constexpr double density_tolerance = 1e-12;
 
 /// The integral over the sphere by two rules, each in its own variable; the error includes their difference.
 /// Over the angle: the printed form, with the sign of g, in long double, where 1 + g^2 - 2 g c keeps 13
@@ -63,11 +57,6 @@ Effect effect_in_single(float g) {
   return effect;
 }
 
-/// The relative error at the peak, where the printed form cancels most, of a value found in single precision.
-double error_at_peak(float found, float g) {
-  return std::abs(static_cast<double>(found) / henyey_greenstein_near_peak(0.0, static_cast<double>(g)) - 1);
-}
-
 Finding phase_normalisation(const Claim& claim) {
   const std::vector<double> anisotropies = numbers_of(claim.inputs.at("g"));
   std::vector<std::optional<Verdict>> verdicts;
@@ -76,30 +65,27 @@ Finding phase_normalisation(const Claim& claim) {
     const Integral found = over_the_sphere(g);
     closed = henyey_greenstein_within(2.0, std::abs(g));
     apart = std::max({apart, found.error, std::abs(found.value - closed)});
-    verdicts.push_back(judge_known_to(claim.printed[0].value, closed, phase_agreement));
+    verdicts.push_back(judge_known_to(claim.printed[0].value, closed, density_tolerance));
   }
   const auto [least, most] = std::ranges::minmax_element(anisotropies);
-  const auto magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const double sharpest = std::abs(*std::ranges::max_element(anisotropies, magnitude));
+  const double sharpest = std::max(-*least, *most);
   const auto single = static_cast<float>(sharpest);
-  const double off = error_at_peak(henyey_greenstein(1.0F, single), single);
-  const double robust = error_at_peak(henyey_greenstein_near_peak(0.0F, single), single);
+  // the relative error at the peak, where the printed form cancels most, of a value in single precision
+  const auto error_at_peak = [single](float found) {
+    return std::abs(
+        static_cast<double>(found) / henyey_greenstein_near_peak(0.0, static_cast<double>(single)) - 1);
+  };
+  const double robust = error_at_peak(henyey_greenstein_near_peak(0.0F, single));
   constexpr double roundings = 6e-7;  // ten roundings of a float, one for each operation of the form
-  return {
-      apart <= phase_agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
-      told(claim, Told{"closed", closed}, Told{"values", counted(std::ssize(anisotropies), "value")},
-           Told{"least", *least}, Told{"most", *most},
-           Told{"agree", apart <= phase_agreement ? fmt::format("to {:.1g}", phase_agreement)
-                                                  : fmt::format("no better than to {:.1g}", apart)},
-           Told{"peak", henyey_greenstein_near_peak(0.0, sharpest)}, Told{"sharpest", sharpest},
-           Told{"off", off},
-           Told{"robust", robust <= roundings ? "by roundings only" : fmt::format("by {:.2g}", robust)}),
-      sentence(effect_in_single(single), "a highlight of peak 1", "in single precision the printed form")};
+  return told(
+      claim, apart <= density_tolerance ? worst(verdicts) : std::nullopt,
+      sentence(effect_in_single(single), "a highlight of peak 1", "in single precision the printed form"),
+      Told{"closed", closed}, Told{"values", counted(std::ssize(anisotropies), "value")},
+      Told{"least", *least}, Told{"most", *most}, Told{"tolerance", density_tolerance},
+      Told{"peak", henyey_greenstein_near_peak(0.0, sharpest)}, Told{"sharpest", sharpest},
+      Told{"off", error_at_peak(henyey_greenstein(1.0F, single))},
+      Told{"robust", robust <= roundings ? "by roundings only" : fmt::format("by {:.2g}", robust)});
 }
-
-/// The bound on the error of an integral that is 1, absolute: both rules, their estimates and the cut-off
-/// tail. The rules agree to 1e-14.
-constexpr double integral_tolerance = 1e-12;
 
 /// The integral of the density over the sphere: 2 pi dy over y = 1 - c in [0, 2], in t = k y.
 Integral integral_over_sphere(double concentration) {
@@ -107,10 +93,9 @@ Integral integral_over_sphere(double concentration) {
     return 2 * pi<double>() * von_mises_fisher_near_peak(t / concentration, concentration) / concentration;
   };
   const double whole = 2 * concentration, end = std::min(whole, Substitution::decay);
-  const Integral one = gauss_kronrod(density, 0, end, 1e-14), other = tanh_sinh(density, 0, end, 1e-14);
+  const Integral integral = by_two_rules(density, 0, end, 1e-14);
   // The rest is e^(-end) (1 - e^(end - 2k))/(1 - e^(-2k)), where there is one.
-  const double rest = end < whole ? std::exp(-end) : 0;
-  return {one.value, one.error + other.error + std::abs(one.value - other.value) + rest};
+  return {integral.value, integral.error + (end < whole ? std::exp(-end) : 0)};
 }
 
 /// The largest k at which the printed formula is a finite number at its peak, halved down to a double.
@@ -133,25 +118,17 @@ Finding normalisation(const Claim& claim) {
       furthest = integral.value;
     }
   }
-  const bool is_known = uncertainty <= integral_tolerance;
-  const bool is_equal = apart <= 2 * integral_tolerance;
-  return {is_known ? std::optional(verdict_of(is_equal)) : std::nullopt, decimal(furthest, 10),
-          told(claim, Told{"integral", furthest}, Told{"tolerance", integral_tolerance},
-               Told{"unequal", is_equal ? "" : ", which is not the printed number"},
-               Told{"half_end", last_finite_concentration<Eigen::half>()},
-               Told{"float_end", last_finite_concentration<float>()},
-               Told{"double_end", last_finite_concentration<double>()}),
-          effect_of_factor(printed, is_equal ? printed : furthest)};
+  const bool is_known = uncertainty <= density_tolerance;
+  return told(claim, is_known ? std::optional(verdict_of(apart <= 2 * density_tolerance)) : std::nullopt,
+              "none", Told{"integral", furthest}, Told{"tolerance", density_tolerance},
+              Told{"half_end", last_finite_concentration<Eigen::half>()},
+              Told{"float_end", last_finite_concentration<float>()},
+              Told{"double_end", last_finite_concentration<double>()});
 }
 
 /// The k from which on the relative error of the sharp form is at most `share`: e^(-2k) = share.
 double concentration_of_error(double share) {
   return -std::log(share) / 2;
-}
-
-/// The largest relative error that shifts no colour by more than one 8-bit sRGB code.
-double share_of_one_code() {
-  return last_by_halving(0, 1, 53, [](double share) { return codes_of_factor(1 - share) <= 1; });
 }
 
 Finding sharp_density(const Claim& claim) {
@@ -164,16 +141,13 @@ Finding sharp_density(const Claim& claim) {
   }
   // Two exponentials and a few products, each rounded: about ten epsilons.
   constexpr double rounding = 1e-14;
-  const double from = concentration_of_error(about), from_code = concentration_of_error(share_of_one_code());
+  const double from = concentration_of_error(about);
   // Of all k of the claim, the error is largest at the printed k.
   const double least = concentration_of_error(given(claim, "no longer about"));
-  const Verdict verdict = k >= from    ? Verdict::confirmed
-                          : k >= least ? Verdict::conditional
-                                       : Verdict::refuted;
-  return {apart <= rounding ? std::optional(verdict) : std::nullopt,
-          fmt::format("relative error {:.4g} at k = {}", law, claim.printed[0].value),
-          told(claim, Told{"rounding", rounding}, Told{"one_code", from_code}),
-          effect_of_factor(1 + law, 1, fmt::format("at k = {:.4g} and any c it", k))};
+  const Verdict verdict = verdict_of(k >= from, k >= least);
+  return told(claim, apart <= rounding ? std::optional(verdict) : std::nullopt,
+              effect_of_factor(1 + law, 1, fmt::format("at k = {:.4g} and any c it", k)), Told{"law", law},
+              Told{"rounding", rounding}, Told{"one_code", concentration_of_error(change_of_one_code())});
 }
 
 }  // namespace

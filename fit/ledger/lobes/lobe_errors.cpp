@@ -4,14 +4,13 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
 #include "approx/lobe_laws.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/families/families.hpp"
-#include "fit/ledger/lobes/exponents.hpp"
+#include "fit/ledger/where.hpp"
 #include "fit/solve.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
@@ -20,15 +19,9 @@ namespace shadefit {
 namespace {
 
 double blunt_slope(Measure measure) {
-  switch (measure) {
-    case Measure::cosine:
-      return blunt_offset_slope_cosine<double>();
-    case Measure::angle:
-      return blunt_offset_slope_angle<double>();
-    case Measure::cosine_weighted:
-      return blunt_offset_slope_cosine_weighted<double>();
-  }
-  throw std::logic_error("a measure without its law of blunt lobes");
+  return measure == Measure::cosine  ? blunt_offset_slope_cosine<double>()
+         : measure == Measure::angle ? blunt_offset_slope_angle<double>()
+                                     : blunt_offset_slope_cosine_weighted<double>();
 }
 
 /// The substitution for an extremum: all cosines, scaled to the lobe.

@@ -3,16 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
-#include <vector>
 
-#include "fit/errors/effect.hpp"
-#include "fit/errors/extremum.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
-#include "fit/support/sweep.hpp"
 
 namespace shadefit {
 namespace {
@@ -52,24 +44,16 @@ Angles angles_of(const Vector& light, const Vector& view) {
   return {angle_between(reflected, view), angle_between({0, 0, 1}, half)};
 }
 
-struct FactorRange {
-  double low = 1e9;
-  double high = -1e9;
-  void add(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-};
-
-/// phong/blinn over lights and views in one plane, every `step` degrees from horizon to horizon.
-FactorRange factor_in_plane(double step) {
-  FactorRange range;
+/// The range of phong/blinn over lights and views in one plane, every `step` degrees from horizon to horizon.
+Range factor_in_plane(double step) {
+  Range range{1e9, -1e9};
   const int steps = static_cast<int>(std::floor(89 / step));
   for (int i = -steps; i <= steps; ++i) {
     for (int j = -steps; j <= steps; ++j) {
       if (i + j == 0) continue;  // the mirror direction: both angles are 0
       const Angles angles = angles_of(direction(radians(i * step), 0), direction(radians(j * step), 0));
-      range.add(angles.phong / angles.blinn);
+      range.from = std::min(range.from, angles.phong / angles.blinn);
+      range.to = std::max(range.to, angles.phong / angles.blinn);
     }
   }
   return range;
@@ -121,11 +105,10 @@ AtView look_from(double view_angle, double exponent) {
 /// The effect of the lobe of twice the Blinn angle instead of Phong's, for one view: over lights at
 /// every degree from the normal and around it, on one side of the plane of the view.
 Effect effect_seen_from(double view_angle, double exponent) {
-  constexpr int step = 1;
   const Vector view = direction(radians(view_angle), 0);
   Effect effect;
-  for (int polar = 0; polar <= 90; polar += step) {
-    for (int azimuth = 0; azimuth <= 180; azimuth += step) {
+  for (int polar = 0; polar <= 90; ++polar) {
+    for (int azimuth = 0; azimuth <= 180; ++azimuth) {
       const Angles a = angles_of(direction(radians(polar), radians(azimuth)), view);
       effect.show(lobe_of_angle(a.phong, exponent), lobe_of_angle(2 * a.blinn, exponent),
                   {{"light ", static_cast<double>(polar), " degrees from n"},
@@ -153,38 +136,24 @@ bool follows_the_laws(const AtView& at) {
          std::abs(at.across - angle_ratio_across(std::cos(radians(at.angle)))) <= search_tolerance;
 }
 
-/// The sentence on views out of the plane.
-std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& views) {
-  return fmt::format(
-      "For views {} degrees from the normal the factor at the peak, perpendicular to the plane of n and "
-      "v, is 2 n.v: {}. Blinn's highlight is narrower in that direction. Over all lights twice the Blinn angle "
-      "exceeds the Phong angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, "
-      "differ by up to {}",
-      claim.inputs.at("views"), listed(views, &AtView::across, 5), listed(views, &AtView::excess, 5),
-      claim.inputs.at("exponent"), listed(views, &AtView::lobe, 3));
-}
-
 Finding angle(const Claim& claim) {
   const double printed = number_of(claim.printed[0].value), exponent = given(claim, "exponent");
-  const FactorRange in_plane = factor_in_plane(given(claim, "step"));
-  const bool holds_in_plane = std::max(in_plane.high - printed, printed - in_plane.low) <= angle_tolerance;
+  const Range in_plane = factor_in_plane(given(claim, "step"));
+  const bool holds_in_plane = std::max(in_plane.to - printed, printed - in_plane.from) <= angle_tolerance;
   std::vector<AtView> views;
   for (const double view : parse_sweep(claim.inputs.at("views"))) views.push_back(look_from(view, exponent));
   const auto holds_at = [](const AtView& at) { return at.excess <= search_tolerance; };
   const bool holds_everywhere = holds_in_plane && std::ranges::all_of(views, holds_at);
-  const Verdict verdict = holds_everywhere ? Verdict::confirmed
-                          : holds_in_plane ? Verdict::conditional
-                                           : Verdict::refuted;
+  const Verdict verdict = verdict_of(holds_everywhere, holds_in_plane);
   const bool is_known = std::ranges::all_of(views, follows_the_laws);
   const AtView& worst_view = *std::ranges::max_element(views, {}, &AtView::lobe);
-  const double middle = (in_plane.low + in_plane.high) / 2;
-  return {
-      is_known ? std::optional(verdict) : std::nullopt,
-      fmt::format("{:.10g}, but only with n, l and v in one plane", middle),
-      told(claim, Told{"middle", middle}, Told{"tolerance", angle_tolerance},
-           Told{"elsewhere", out_of_the_plane(claim, views)}),
+  return told(
+      claim, is_known ? std::optional(verdict) : std::nullopt,
       sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
-               fmt::format("seen from {:.4g} degrees the lobe of twice the Blinn angle", worst_view.angle))};
+               fmt::format("seen from {:.4g} degrees the lobe of twice the Blinn angle", worst_view.angle)),
+      Told{"middle", (in_plane.from + in_plane.to) / 2}, Told{"tolerance", angle_tolerance},
+      Told{"across", listed(views, &AtView::across, 5)}, Told{"excess", listed(views, &AtView::excess, 5)},
+      Told{"lobes", listed(views, &AtView::lobe, 3)});
 }
 
 }  // namespace

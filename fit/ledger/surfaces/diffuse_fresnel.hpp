@@ -2,8 +2,6 @@
 
 #include <string_view>
 
-#include "fit/ledger/finding.hpp"
-
 /// The total reflected light of a Lambertian term and a mirror-like Fresnel reflection above it.
 namespace shadefit {
 
@@ -21,8 +19,5 @@ struct DiffuseUnderFresnel {
 /// `factor` is the name of one of the factors of approx/material.hpp, albedo and f0 are in [0, 1]. Throws
 /// std::invalid_argument for another name.
 DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo, double f0);
-
-/// The claim of two factors, "factor" and "stand-in", at an "albedo" and an "f0"; "beside" is a third.
-Finding diffuse_fresnel(const Claim& claim);
 
 }  // namespace shadefit

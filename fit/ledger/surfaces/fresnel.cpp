@@ -4,19 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <vector>
 
-#include "fit/errors/effect.hpp"
 #include "fit/fit.hpp"
 #include "fit/ledger/formats.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/ledger/where.hpp"
-#include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -28,10 +20,6 @@ std::vector<double> optimum(std::string_view family) {
 
 auto one_term(double sharpness) {
   return [=]<class T>(const T& c) { return fresnel_one_term(c, lift<T>(sharpness)); };
-}
-
-auto quadratic(double a, double b) {
-  return [=]<class T>(const T& c) { return fresnel_quadratic(c, lift<T>(a), lift<T>(b)); };
 }
 
 /// (F of a form - F of (1-c)^5) / (F of (1-c)^5).
@@ -46,6 +34,15 @@ auto relative_error(const Form& form, double f0) {
 template <class F>
 Extremum largest_over_cosine(const F& f) {
   return largest_magnitude([&](const auto& c) { return f(c.cos_theta); }, Substitution({}, {}));
+}
+
+/// "from c = 0.5 to 1": where one error exceeds another.
+template <class F>
+std::string where_closer(const F& excess) {
+  std::vector<double> places = search_points();
+  places.insert(places.begin(), 0);
+  places.push_back(1);
+  return ranges_in_words(where_positive(excess, places, 50), 4);
 }
 
 /// The largest difference of F from that of (1-c)^5, in 8-bit sRGB codes.
@@ -71,41 +68,36 @@ Effect effect_on_reflectance(const Form& form, double f0) {
 
 /// The effect of a weight at normal incidence, where it should be 0.
 std::string effect_at_normal(double weight, double f0) {
-  Effect effect;
-  effect.show(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}));
-  return sentence(effect, fmt::format("F of f0 = {:.3g}", f0), "at normal incidence it");
+  return effect_of_value(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}),
+                         fmt::format("F of f0 = {:.3g}", f0), "at normal incidence it");
 }
 
-/// The closed form and the fit.
+/// The closed form; the fit is judged beside it.
 Finding sharpness_of_offset(const Claim& claim) {
   const double closed = one_term_sharpness(given(claim, "x"));
   const Verdict verdict = judge(claim.printed[0].value, {"", closed}, {}).verdict;
-  return {
-      verdict, decimal(closed, 10),
-      fmt::format("for x = {}, (5 + x)/ln 2 is {:.10g}: {}", claim.inputs.at("x"), closed, name(verdict))};
+  return told(claim, verdict, "none", Told{"closed", closed}, Told{"verdict", name(verdict)});
 }
 
 Finding one_term_at_one(const Claim& claim) {
-  const double value = fresnel_one_term(1.0, given(claim, "A")), f0 = given(claim, "f0");
-  const double best = optimum("fresnel-one-term")[0];
-  return {judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
-          told(claim, Told{"best", best}), effect_at_normal(value, f0)};
+  const double value = fresnel_one_term(1.0, given(claim, "A"));
+  return told(claim, judge(claim.printed[0].value, {"", value}, {}).verdict,
+              effect_at_normal(value, given(claim, "f0")), Told{"best", optimum("fresnel-one-term")[0]});
 }
 
 Finding quadratic_at_one(const Claim& claim) {
   const double value = fresnel_quadratic(1.0, given(claim, "a"), given(claim, "b"));
-  const double ratio = fresnel_one_term(1.0, given(claim, "A")) / value, f0 = given(claim, "f0");
+  const double ratio = fresnel_one_term(1.0, given(claim, "A")) / value;
   const auto pair = optimum("fresnel-quadratic");
   const double best = fresnel_quadratic(1.0, pair[0], pair[1]);
   const double best_ratio = fresnel_one_term(1.0, optimum("fresnel-one-term")[0]) / best;
   const double of_printed = given(claim, "exp2(-A) as printed") / number_of(claim.printed[0].value);
   const std::array parts{judge(claim.printed[0].value, {"", value}, {}).verdict,
                          judge(claim.printed[1].value, {"", ratio}, {}).verdict};
-  return {worst(parts), fmt::format("value = {:.10g}, ratio = {:.10g}", value, ratio),
-          told(claim, Told{"verdict", name(parts[0])}, Told{"ratio_verdict", name(parts[1])},
-               Told{"best", best}, Told{"best_ratio", best_ratio},
-               Told{"exp2_a", claim.inputs.at("exp2(-A) as printed")}, Told{"of_printed", of_printed}),
-          effect_at_normal(value, f0)};
+  return told(claim, worst(parts), effect_at_normal(value, given(claim, "f0")), Told{"found", value},
+              Told{"found_ratio", ratio}, Told{"verdict", name(parts[0])},
+              Told{"ratio_verdict", name(parts[1])}, Told{"best", best}, Told{"best_ratio", best_ratio},
+              Told{"of_printed", of_printed});
 }
 
 /// The absolute bound on the difference of both rules and on their estimates, for the integrals below.
@@ -132,12 +124,11 @@ std::array<double, 2> rms_and_error(const Error& error, Measure measure) {
     return weight(theta) * e * e;
   };
   const double end = pi<double>() / 2;
-  const Integral one = gauss_kronrod(square, 0, end, 1e-12), other = tanh_sinh(square, 0, end, 1e-12);
+  const Integral integral = by_two_rules(square, 0, end, 1e-12);
   const double total = gauss_kronrod(weight, 0, end, 1e-12).value;
-  const double rms = std::sqrt(one.value / total);
+  const double rms = std::sqrt(integral.value / total), doubt = integral.error / total;
   // d sqrt(I) = dI / (2 sqrt(I)); if the error is only rounding, so is the estimate
-  const double doubt = one.error + other.error + std::abs(one.value - other.value);
-  return {rms, rms > 0 ? doubt / total / (2 * rms) : std::sqrt(doubt / total)};
+  return {rms, rms > 0 ? doubt / (2 * rms) : std::sqrt(doubt)};
 }
 
 template <class Form>
@@ -188,43 +179,40 @@ Finding power_four(const Claim& claim) {
   const auto gaussian = one_term(given(claim, "A"));
   const Distance of_power = distance_from_schlick(power_form, f0);
   const Distance of_gaussian = distance_from_schlick(gaussian, f0);
-  const std::size_t worse = readings_worse(of_power, of_gaussian), readings = of_power.readings.size();
-  const auto closer = where_negative([&](double c) {
+  const auto closer = where_closer([&](double c) {
     const double target = schlick_weight(c);
-    return std::abs(power_form(c) - target) - std::abs(gaussian(c) - target);
+    return std::abs(gaussian(c) - target) - std::abs(power_form(c) - target);
   });
-  const std::string name_of_power = fmt::format("(1-c)^{}", n);
-  return {verdict_of_comparison(of_power, of_gaussian), fmt::format("{} of {} readings", worse, readings),
-          told(claim, Told{"worse", worse}, Told{"readings", readings}, Told{"of_power", of_power.words},
-               Told{"of_gaussian", of_gaussian.words}, Told{"tolerance", rms_tolerance},
-               Told{"closer", ranges_in_words(closer, 4)}),
-          sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
-                              name_of_power),
-                     sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
+  return told(claim, verdict_of_comparison(of_power, of_gaussian),
+              sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
+                                  fmt::format("(1-c)^{}", n)),
+                         sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")}),
+              Told{"worse", readings_worse(of_power, of_gaussian)},
+              Told{"readings", of_power.readings.size()}, Told{"of_power", of_power.words},
+              Told{"of_gaussian", of_gaussian.words}, Told{"tolerance", rms_tolerance},
+              Told{"closer", closer});
 }
 
 Finding relative_errors(const Claim& claim) {
-  const double f0 = given(claim, "f0"), far_smaller = given(claim, "far smaller");
-  const auto pair = quadratic(given(claim, "a"), given(claim, "b"));
+  const double f0 = given(claim, "f0");
+  const auto pair = [a = given(claim, "a"), b = given(claim, "b")]<class T>(const T& c) {
+    return fresnel_quadratic(c, lift<T>(a), lift<T>(b));
+  };
   const auto single = one_term(given(claim, "A"));
   const auto of_pair = relative_error(pair, f0);
   const auto of_single = relative_error(single, f0);
   const Extremum small = largest_over_cosine(of_pair), large = largest_over_cosine(of_single);
   const double ratio = small.magnitude / large.magnitude;
   const double small_codes = largest_code_shift(pair, f0), large_codes = largest_code_shift(single, f0);
-  const auto closer = where_negative([&](double c) { return std::abs(of_single(c)) - std::abs(of_pair(c)); });
-  return {verdict_of(ratio <= far_smaller), decimal(ratio, 4),
-          told(claim, Told{"pair", small.magnitude}, Told{"pair_at", small.at.cos_theta},
-               Told{"single", large.magnitude}, Told{"single_at", large.at.cos_theta},
-               Told{"closer", ranges_in_words(closer, 4)}, Told{"pair_codes", small_codes},
-               Told{"single_codes", large_codes},
-               Told{"within", small_codes > 1 && large_codes > 1     ? "neither"
-                              : small_codes <= 1 && large_codes <= 1 ? "both"
-                              : small_codes <= 1                     ? "the pair"
-                                                                     : "the one-term form"}),
-          sentences(
-              {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
-               sentence(effect_on_reflectance(pair, f0), "it", "the pair (a, b)")})};
+  const auto closer = where_closer([&](double c) { return std::abs(of_pair(c)) - std::abs(of_single(c)); });
+  return told(claim, verdict_of(ratio <= given(claim, "far smaller")),
+              sentences({sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0),
+                                  "exp2(-A c)"),
+                         sentence(effect_on_reflectance(pair, f0), "it", "the pair (a, b)")}),
+              Told{"ratio", ratio}, Told{"pair", small.magnitude}, Told{"pair_at", small.at.cos_theta},
+              Told{"single", large.magnitude}, Told{"single_at", large.at.cos_theta}, Told{"closer", closer},
+              Told{"pair_codes", small_codes}, Told{"single_codes", large_codes},
+              Told{"within", small_codes > 1 && large_codes > 1 ? "neither" : "at least one of them"});
 }
 
 Finding exponent_sum(const Claim& claim) {
@@ -232,39 +220,32 @@ Finding exponent_sum(const Claim& claim) {
   const auto pair = optimum("fresnel-quadratic");
   const double best = fresnel_quadratic_exponent(1.0, pair[0], pair[1]);
   const std::string_view printed = claim.printed[0].value;
-  const Verdict verdict = judge(printed, {"", sum}, {}).verdict;
-  const Verdict of_best = judge(printed, {"", best}, {}).verdict;
-  return {verdict, decimal(sum, 10), told(claim, Told{"best", best}, Told{"verdict", name(of_best)}),
-          effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum), "at c = 1 it")};
+  return told(claim, judge(printed, {"", sum}, {}).verdict, "none", Told{"sum", sum}, Told{"best", best},
+              Told{"verdict", name(judge(printed, {"", best}, {}).verdict)});
 }
 
-/// In half arithmetic, how many pairs of f0 and g have F above max(g, f0) at c = 0, where the weight is 1.
-struct HalfExcess {
+/// In half arithmetic, how many pairs of f0 and g have F above max(g, f0) at c = 0, where the weight is 1,
+/// and the largest excess in ulps.
+std::pair<int, double> excess_in_half(int steps) {
   int pairs = 0;
-  double ulps = 0;  ///< the largest excess
-};
-
-HalfExcess excess_in_half(int steps) {
-  HalfExcess excess;
+  double ulps = 0;
   const auto grey = [&](int i) { return round_to_half(static_cast<double>(i) / steps); };
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j) {
       const Eigen::half f0 = grey(i), gloss = grey(j), top = max(gloss, f0);
       const double above =
           widened(schlick_reflectance_of_gloss(f0, gloss, integer<Eigen::half>(1))) - widened(top);
-      if (above <= 0) continue;
-      ++excess.pairs;
-      excess.ulps = std::max(excess.ulps, above / ulp_of_half(widened(top)));
+      pairs += above > 0 ? 1 : 0;
+      ulps = std::max(ulps, above / ulp_of_half(widened(top)));
     }
   }
-  return excess;
+  return {pairs, ulps};
 }
 
 Finding roughness_range(const Claim& claim) {
   const int steps = static_cast<int>(std::lround(given(claim, "steps")));
   const double highest = schlick_weight(given(claim, "from")), lowest = schlick_weight(given(claim, "to"));
   double outside = 0;  // the distance of F from its range
-  Effect effect;
   int pairs = 0, flat = 0;
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j, ++pairs) {
@@ -273,22 +254,16 @@ Finding roughness_range(const Claim& claim) {
       for (const double weight : {lowest, highest}) {
         const double f = schlick_reflectance_of_gloss(f0, gloss, weight);
         outside = std::max({outside, f0 - f, f - max(gloss, f0)});
-        const double within = std::clamp(f, f0, std::max(gloss, f0));
-        if (within != f) effect.show(within, f, {{"f0 = ", f0}, {"g = ", gloss}});
       }
     }
   }
   // Three operations on numbers of at most 1, each rounded by at most half an epsilon.
   const double rounding = 1.5 * std::numeric_limits<double>::epsilon();
-  const bool stays = outside <= rounding;
-  const HalfExcess half = excess_in_half(steps);
-  return {
-      verdict_of(stays), stays ? "stays within" : fmt::format("leaves it by {:.4g}", outside),
-      told(claim, Told{"pairs", pairs},
-           Told{"stays", stays ? fmt::format("stays within [f0, max(g, f0)] up to rounding, {:.2g}", rounding)
-                               : fmt::format("leaves [f0, max(g, f0)] by up to {:.4g}", outside)},
-           Told{"flat", flat}, Told{"half_pairs", half.pairs}, Told{"half_ulps", half.ulps}),
-      stays ? "none" : sentence(effect, "F", "beyond its range it")};
+  const auto [half_pairs, half_ulps] = excess_in_half(steps);
+  return told(claim, verdict_of(outside <= rounding), "none", Told{"pairs", pairs},
+              Told{"stays", outside <= rounding ? "stays within" : fmt::format("leaves by {:.4g}", outside)},
+              Told{"rounding", rounding}, Told{"flat", flat}, Told{"half_pairs", half_pairs},
+              Told{"half_ulps", half_ulps});
 }
 
 }  // namespace

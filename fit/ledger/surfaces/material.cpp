@@ -2,18 +2,11 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
-#include "approx/encoding.hpp"
 #include "approx/fresnel.hpp"
 #include "approx/material.hpp"
-#include "fit/errors/effect.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/quadrature/integrate.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -32,14 +25,19 @@ Integral hemisphere_mean(const F& f, double f0) {
   return {first.value, std::abs(first.value - second.value)};
 }
 
-/// The sum of both reflections as a line in F of the one fixed direction, F = f0 (normal) .. 1 (grazing).
-struct Sum {
-  double at_normal, at_grazing, under_sky, error;
-};
+/// The smallest cosine such that the sum is at most 1 from there to c = 1; above 1 if there is none. The sum
+/// is linear in F of the one fixed direction, F = f0 (normal) .. 1 (grazing), so it is 1 at one weight w of
+/// Schlick's formula between normal (w = 0) and grazing (w = 1), and c = 1 - w^(1/5).
+double from_cosine(double at_normal, double at_grazing) {
+  if (at_normal > 1 + mean_rounding) return 2;
+  if (at_grazing <= 1 + mean_rounding) return 0;
+  const double weight = (1 - at_normal) / (at_grazing - at_normal);
+  return 1 - (weight < mean_rounding ? 0 : std::pow(weight, 0.2));
+}
 
 /// `factor_of(F_fixed, F_other)`.
 template <class Factor>
-Sum sum_of(const Factor& factor_of, double albedo, double f0) {
+DiffuseUnderFresnel sum_of(const Factor& factor_of, double albedo, double f0) {
   double error = 0;
   const auto sum = [&](double fixed) {
     const Integral mean = hemisphere_mean([&](double other) { return factor_of(fixed, other); }, f0);
@@ -48,30 +46,20 @@ Sum sum_of(const Factor& factor_of, double albedo, double f0) {
   };
   const double at_normal = sum(f0), at_grazing = sum(1);
   const Integral sky = hemisphere_mean(sum, f0);
-  return {at_normal, at_grazing, sky.value, std::max(error, sky.error)};
-}
-
-/// The smallest cosine such that the sum is at most 1 from there to c = 1; above 1 if there is none. The sum
-/// is linear in F, so it is 1 at one weight w of Schlick's formula between normal (w = 0) and grazing (w =
-/// 1), and c = 1 - w^(1/5).
-double from_cosine(const Sum& sum) {
-  if (sum.at_normal > 1 + mean_rounding) return 2;
-  if (sum.at_grazing <= 1 + mean_rounding) return 0;
-  const double weight = (1 - sum.at_normal) / (sum.at_grazing - sum.at_normal);
-  return 1 - (weight < mean_rounding ? 0 : std::pow(weight, 0.2));
+  return {at_normal, at_grazing, sky.value, std::max(error, sky.error), from_cosine(at_normal, at_grazing)};
 }
 
 template <class Factor>
 DiffuseUnderFresnel both_ways(double albedo, double f0) {
-  const Sum from_light =
+  const auto from_light =
       sum_of([&](double in, double out) { return Factor::factor(in, out, f0); }, albedo, f0);
-  const Sum towards_view =
+  const auto towards_view =
       sum_of([&](double out, double in) { return Factor::factor(in, out, f0); }, albedo, f0);
   return {std::max(from_light.at_normal, towards_view.at_normal),
           std::max(from_light.at_grazing, towards_view.at_grazing),
           from_light.under_sky,  // the same light, summed in another order
           std::max(from_light.error, towards_view.error),
-          std::max(from_cosine(from_light), from_cosine(towards_view))};
+          std::max(from_light.from_cosine, towards_view.from_cosine)};
 }
 
 std::string where_it_holds(const DiffuseUnderFresnel& found) {
@@ -86,19 +74,6 @@ std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& fo
       "with {} the sum is {:.6g} at normal and {:.6g} at grazing incidence, {}, and {:.6g} under a uniform "
       "sky",
       factor, found.at_normal, found.at_grazing, where_it_holds(found), found.under_sky);
-}
-
-/// The effect of the stand-in, by the reflected light of both under a uniform sky.
-std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
-  return effect_of_factor(stand_in, factor,
-                          fmt::format("under a uniform sky {} instead of {}", claim.inputs.at("stand-in"),
-                                      claim.inputs.at("factor")));
-}
-
-Verdict verdict_on(const DiffuseUnderFresnel& found) {
-  return found.from_cosine == 0  ? Verdict::confirmed
-         : found.from_cosine > 1 ? Verdict::refuted
-                                 : Verdict::conditional;
 }
 
 /// Over every pair of codes, an sRGB-encoded base colour and a linear metallic.
@@ -146,45 +121,30 @@ Finding metallic_workflow(const Claim& claim) {
   const int codes = static_cast<int>(given(claim, "codes"));
   const Census census = census_of(f0, codes);
   const double brightest = brightest_base_colour(f0, 0.0);
-  const std::string text(claim.printed[0].value);
-  const Verdict verdict = f0 <= 0 ? Verdict::confirmed : f0 > 1 ? Verdict::refuted : Verdict::conditional;
-  const long pairs = static_cast<long>(codes) * codes;
-  return {
-      census.above_one == census.beyond_brightest ? std::optional(verdict) : std::nullopt,
-      fmt::format("only for c <= 1 - {} (1-m)", text),
-      told(claim, Told{"brightest", brightest}, Told{"brightest_code", srgb_code(brightest)},
-           Told{"pairs", pairs}, Told{"above_one", census.above_one},
-           Told{"from_colour",
-                census.above_one > 0 ? fmt::format(", from colour code {} on", census.first_colour) : ""}),
-      effect_of_clamp(f0, codes)};
+  const Verdict verdict = verdict_of(f0 <= 0, f0 <= 1);
+  return told(claim, census.above_one == census.beyond_brightest ? std::optional(verdict) : std::nullopt,
+              effect_of_clamp(f0, codes), Told{"brightest", brightest},
+              Told{"brightest_code", srgb_code(brightest)}, Told{"above_one", census.above_one},
+              Told{"first_colour", census.first_colour});
 }
 
-struct Channels {
-  int sum = 0;
-  std::string sentence;  ///< "albedo 3, specular 3, roughness 1"
-};
-
-/// From a list of maps, each with its number of channels after its name.
-Channels channels_of(std::string_view maps) {
-  Channels channels{0, std::string(maps)};
+/// Of a list of maps, each with its number of channels after its name.
+int channels_of(std::string_view maps) {
+  int channels = 0;
   for (const std::string_view map : items_of(maps))
-    channels.sum += static_cast<int>(number_of(map.substr(map.rfind(' ') + 1)));
+    channels += static_cast<int>(number_of(map.substr(map.rfind(' ') + 1)));
   return channels;
 }
 
 Finding workflow_channels(const Claim& claim) {
-  const Channels specular = channels_of(claim.inputs.at("specular maps"));
-  const Channels metallic = channels_of(claim.inputs.at("metallic maps"));
-  const Channels more = channels_of(claim.inputs.at("one more map"));
-  const auto judged = [](const Quantity& printed, const Channels& channels) {
-    // A count is right or wrong: there is nothing to round.
-    return verdict_of(number_of(printed.value) == channels.sum);
-  };
-  const std::array verdicts{judged(claim.printed[0], specular), judged(claim.printed[1], metallic)};
-  return {worst(verdicts), fmt::format("specular = {}, metallic = {}", specular.sum, metallic.sum),
-          told(claim, Told{"specular", specular.sum}, Told{"metallic", metallic.sum},
-               Told{"more", metallic.sum + more.sum}),
-          "none"};
+  const int specular = channels_of(claim.inputs.at("specular maps"));
+  const int metallic = channels_of(claim.inputs.at("metallic maps"));
+  // A count is right or wrong: there is nothing to round.
+  const bool is_right =
+      number_of(claim.printed[0].value) == specular && number_of(claim.printed[1].value) == metallic;
+  return told(claim, verdict_of(is_right), "none", Told{"of_specular", specular},
+              Told{"of_metallic", metallic},
+              Told{"more", metallic + channels_of(claim.inputs.at("one more map"))});
 }
 
 }  // namespace
@@ -198,25 +158,35 @@ DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo
   throw std::invalid_argument(fmt::format("not a factor of the diffuse term: '{}'", factor));
 }
 
+namespace {
+
+/// The claim of two factors, "factor" and "stand-in", at an "albedo" and an "f0"; "beside" is a third.
 Finding diffuse_fresnel(const Claim& claim) {
   const double albedo = given(claim, "albedo"), f0 = given(claim, "f0");
   const auto under = [&](std::string_view name) {
     return diffuse_under_fresnel(claim.inputs.at(name), albedo, f0);
   };
   const auto factor = under("factor"), stand_in = under("stand-in"), beside = under("beside");
-  const std::array verdicts{verdict_on(factor), verdict_on(stand_in)};
+  const auto judged = [](const DiffuseUnderFresnel& found) {
+    return verdict_of(found.from_cosine == 0, found.from_cosine <= 1);
+  };
+  const std::array verdicts{judged(factor), judged(stand_in)};
   const bool is_known = std::max({factor.error, stand_in.error, beside.error}) <= mean_rounding;
   const auto share = [](const DiffuseUnderFresnel& found) {
-    return decimal(std::max(found.at_normal, found.at_grazing), 6);
+    return std::max(found.at_normal, found.at_grazing);
   };
-  return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
-          fmt::format("at most {} as stated and {} with the stand-in", share(factor), share(stand_in)),
-          told(claim, Told{"as_stated", part_sentence(claim.inputs.at("factor"), factor)},
-               Told{"stand_in_sum", part_sentence(claim.inputs.at("stand-in"), stand_in)},
-               Told{"beside_sum", part_sentence(claim.inputs.at("beside"), beside)},
-               Told{"rounding", mean_rounding}),
-          effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
+  return told(claim, is_known ? std::optional(worst(verdicts)) : std::nullopt,
+              effect_of_factor(stand_in.under_sky, factor.under_sky,
+                               fmt::format("under a uniform sky {} instead of {}",
+                                           claim.inputs.at("stand-in"), claim.inputs.at("factor"))),
+              Told{"share", share(factor)}, Told{"stand_in_share", share(stand_in)},
+              Told{"as_stated", part_sentence(claim.inputs.at("factor"), factor)},
+              Told{"stand_in_sum", part_sentence(claim.inputs.at("stand-in"), stand_in)},
+              Told{"beside_sum", part_sentence(claim.inputs.at("beside"), beside)},
+              Told{"rounding", mean_rounding});
 }
+
+}  // namespace
 
 std::vector<Evaluator> material_evaluators() {
   return {{"metallic-workflow", metallic_workflow},

@@ -4,24 +4,17 @@
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "approx/encoding.hpp"
-#include "fit/errors/effect.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/integrals/normalisation_check.hpp"
 #include "fit/integrals/reflectance.hpp"
 #include "fit/ledger/formats.hpp"
-#include "fit/ledger/told.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/support/decimal.hpp"
-#include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
-#include "fit/support/sweep.hpp"
 
 namespace shadefit {
 namespace {
@@ -29,88 +22,56 @@ namespace {
 /// A constant as it is printed: a formula in a = alpha.
 class PrintedConstant {
  public:
-  explicit PrintedConstant(std::string_view text) : text_(text), formula_(parse_formula(text, names)) {}
+  explicit PrintedConstant(std::string_view text)
+      : formula_(parse_formula(text, std::array<std::string_view, 1>{"a"})) {}
 
-  const std::string& text() const { return text_; }
-
-  template <class T>
-  T at(const T& alpha) const {
-    return evaluate<T>(formula_, [&](const std::string&) { return alpha; });
+  double at(double alpha) const {
+    return evaluate<double>(formula_, [&](const std::string&) { return alpha; });
   }
 
  private:
-  static constexpr std::array<std::string_view, 1> names{"a"};
-  std::string text_;
   Symbolic formula_;
 };
 
 const Normalisation& record_of(const Claim& claim) {
-  const auto record = std::ranges::find(normalisations, claim.id, &Normalisation::id);
-  if (record == normalisations.end()) throw std::logic_error(fmt::format("no normalisation {}", claim.id));
-  return *record;
+  return *std::ranges::find(normalisations, claim.id, &Normalisation::id);
 }
 
-std::vector<double> exponents_of(const Claim& claim) {
-  return record_of(claim).has_exponent ? parse_sweep(claim.inputs.at("exponents")) : std::vector<double>{};
-}
-
-/// "8 exponents from 0.1 to 1e+06".
-std::string range_in_words(const std::vector<double>& values, std::string_view noun) {
-  const auto [low, high] = std::ranges::minmax_element(values);
-  return fmt::format("{} from {:.6g} to {:.6g}", counted(std::ssize(values), noun), *low, *high);
-}
-
-/// "v at a = 8", or "v" for a constant without an exponent.
-std::string at_exponent(double value, std::optional<double> exponent) {
-  return fmt::format("{:.10g}{}", value, exponent ? fmt::format(" at a = {:.6g}", *exponent) : "");
-}
-
-/// A printed constant and 1 over the integral of its lobe, times a unit. Throws std::domain_error if the
+/// A printed constant against 1 over the integral of its lobe, times a unit. Throws std::domain_error if the
 /// formula has no finite value.
-Finding against_integrals(const Claim& claim, const PrintedConstant& printed,
-                          std::string_view unit_text = {}) {
-  const double unit = unit_text.empty() ? 1 : PrintedConstant(unit_text).at(1.0);
-  const auto exponents = exponents_of(claim);
-  const auto checks = check_normalisation(record_of(claim), exponents);
-  double furthest = -1, error = 0;
-  const NormalisationCheck* worst_check = nullptr;
-  for (const NormalisationCheck& check : checks) {
-    const double difference = std::abs(printed.at(check.exponent.value_or(1)) / (unit * check.integral) - 1);
-    if (!std::isfinite(difference))
-      throw std::domain_error(fmt::format("{} has no finite value", printed.text()));
-    error = std::max(error, check.estimated_error);
-    if (difference <= furthest) continue;
-    furthest = difference;
-    worst_check = &check;
+struct AgainstIntegrals {
+  double furthest = 0;  ///< the largest relative difference
+  double error = 0;     ///< of the integrals
+  double first, last;   ///< the right constant, at the first exponent and the last
+
+  AgainstIntegrals(const Claim& claim, const PrintedConstant& printed, double unit = 1) {
+    const Normalisation& record = record_of(claim);
+    const auto checks = check_normalisation(
+        record, record.has_exponent ? parse_sweep(claim.inputs.at("exponents")) : std::vector<double>{});
+    for (const NormalisationCheck& check : checks) {
+      const double difference =
+          std::abs(printed.at(check.exponent.value_or(1)) / (unit * check.integral) - 1);
+      if (!std::isfinite(difference)) throw std::domain_error("the constant has no finite value");
+      furthest = std::max(furthest, difference);
+      error = std::max(error, check.estimated_error);
+    }
+    first = unit * checks.front().integral;
+    last = unit * checks.back().integral;
   }
-  Finding finding;
-  finding.verdict = judge_normalisation(furthest, error);
-  finding.computed = at_exponent(unit * checks.front().integral, checks.front().exponent);
-  if (checks.size() > 1)
-    finding.computed +=
-        fmt::format(", {}", at_exponent(unit * checks.back().integral, checks.back().exponent));
-  const double exact = unit * worst_check->integral;
-  finding.evidence =
-      fmt::format("{}1 over the integral of '{}'",
-                  unit_text.empty() ? "" : fmt::format("{} times ", unit_text), record_of(claim).lobe);
-  finding.evidence +=
-      furthest <= normalisation_tolerance
-          ? fmt::format(" is {} to better than {:.1g}", printed.text(), normalisation_tolerance)
-          : fmt::format(" is {} and not the {:.10g} of {}", at_exponent(exact, worst_check->exponent),
-                        printed.at(worst_check->exponent.value_or(1)), printed.text());
-  if (checks.size() > 1)
-    finding.evidence += fmt::format(", tested at {}", range_in_words(exponents, "exponent"));
-  finding.evidence += fmt::format(" (by two quadrature rules that agree within {:.1g})",
-                                  std::max(error, normalisation_tolerance));
-  if (finding.verdict != Verdict::confirmed)
-    finding.effect = effect_of_factor(
-        printed.at(worst_check->exponent.value_or(1)), exact,
-        worst_check->exponent ? fmt::format("at a = {:.6g} it", *worst_check->exponent) : "");
-  return finding;
+  std::optional<Verdict> verdict() const { return judge_normalisation(furthest, error); }
+};
+
+template <class... More>
+Finding told_constant(const Claim& claim, const AgainstIntegrals& found, std::optional<Verdict> verdict,
+                      const More&... more) {
+  return told(claim, verdict, "none", Told{"lobe", record_of(claim).lobe}, Told{"first", found.first},
+              Told{"last", found.last}, Told{"tolerance", normalisation_tolerance},
+              Told{"apart", std::max(found.error, normalisation_tolerance)}, more...);
 }
 
 Finding constant_alone(const Claim& claim) {
-  return against_integrals(claim, PrintedConstant(claim.printed[0].value));
+  const AgainstIntegrals found(claim, PrintedConstant(claim.printed[0].value));
+  return told_constant(claim, found, found.verdict());
 }
 
 /// The view along the normal, then every view angle of the claim.
@@ -125,7 +86,6 @@ std::vector<double> views_of(const Claim& claim) {
 std::vector<ReflectanceCurve> curves_of(const Claim& claim, const PrintedConstant& printed) {
   const auto constant = std::ranges::find(
       reflected_constants, claim.id, [](const ReflectedConstant& reflected) { return reflected.record->id; });
-  if (constant == reflected_constants.end()) throw std::logic_error("no reflectance of that constant");
   const auto angles = views_of(claim);
   std::vector<ReflectanceCurve> curves;
   for (const double alpha : parse_sweep(claim.inputs.at("exponents at other views")))
@@ -141,68 +101,45 @@ double error_of(const std::vector<ReflectanceCurve>& curves) {
   return error;
 }
 
-/// The largest of all curves, and "1 (a = 64, seen from 0 degrees)".
-struct Largest {
-  double value;
-  std::string words;
-};
-
-Largest largest_of(const std::vector<ReflectanceCurve>& curves, ReflectancePeak ReflectanceCurve::*part) {
-  const auto peak = std::ranges::max_element(curves, [&](const auto& a, const auto& b) {
+/// The curve with the largest peak.
+const ReflectanceCurve& largest_of(const std::vector<ReflectanceCurve>& curves,
+                                   ReflectancePeak ReflectanceCurve::*part) {
+  return *std::ranges::max_element(curves, [&](const auto& a, const auto& b) {
     return (b.*part).value > (a.*part).value * (1 + equal_extrema);
   });
-  const ReflectancePeak& top = (*peak).*part;
-  return {top.value, fmt::format("{:.6g} (a = {:.6g}, seen from {:.4g} degrees)", top.value, peak->exponent,
-                                 top.view_angle)};
-}
-
-/// The lowest reflectance at the flattest view.
-Largest lowest_of(const std::vector<ReflectanceCurve>& curves) {
-  const auto at_end = [](const ReflectanceCurve& curve) { return curve.points.back().reflectance; };
-  const auto curve = std::ranges::min_element(curves, {}, at_end);
-  return {at_end(*curve), fmt::format("{:.4g} (a = {:.6g}, {:.6g} degrees)", at_end(*curve), curve->exponent,
-                                      curve->points.back().view_angle)};
 }
 
 /// A constant that is stated for v = n, at every other view.
 Finding constant_at_every_view(const Claim& claim) {
   const PrintedConstant printed(claim.printed[0].value);
-  Finding finding = against_integrals(claim, printed);
+  const AgainstIntegrals found(claim, printed);
   const auto curves = curves_of(claim, printed);
-  const Largest plain = largest_of(curves, &ReflectanceCurve::largest);
-  const Largest with_cosine = largest_of(curves, &ReflectanceCurve::largest_with_cosine);
-  const bool creates_energy = std::max(plain.value, with_cosine.value) > 1 + energy_tolerance;
+  const auto &plain = largest_of(curves, &ReflectanceCurve::largest),
+             &with_cosine = largest_of(curves, &ReflectanceCurve::largest_with_cosine);
+  const bool creates_energy =
+      std::max(plain.largest.value, with_cosine.largest_with_cosine.value) > 1 + energy_tolerance;
   const double error = error_of(curves);
-  if (!(error <= reflectance_tolerance)) finding.verdict.reset();
-  if (finding.verdict == Verdict::confirmed && creates_energy) finding.verdict = Verdict::conditional;
-  std::vector<double> exponents;
-  for (const ReflectanceCurve& curve : curves) exponents.push_back(curve.exponent);
-  const auto angles = views_of(claim);
-  finding.evidence +=
-      fmt::format(". Over {} degrees, at {}, its reflectance is at most {}",
-                  range_in_words(angles, "view angle"), range_in_words(exponents, "exponent"), plain.words);
-  if (plain.value != with_cosine.value)
-    finding.evidence += fmt::format(", with n.l at most {}", with_cosine.words);
-  finding.evidence += fmt::format("{}. Its smallest reflectance is {} (two ways that agree within {:.1g})",
-                                  creates_energy ? ": it creates energy" : ": it creates no energy",
-                                  lowest_of(curves).words, std::max(error, reflectance_tolerance));
-  return finding;
+  auto verdict = found.verdict();
+  if (verdict == Verdict::confirmed && creates_energy) verdict = Verdict::conditional;
+  if (!(error <= reflectance_tolerance)) verdict.reset();
+  // the lowest reflectance at the flattest view
+  const auto at_end = [](const ReflectanceCurve& curve) { return curve.points.back().reflectance; };
+  const auto lowest = std::ranges::min_element(curves, {}, at_end);
+  const auto words = [](const ReflectanceCurve& curve, const ReflectancePeak& peak) {
+    return fmt::format("{:.6g} (a = {:.6g}, seen from {:.4g} degrees)", peak.value, curve.exponent,
+                       peak.view_angle);
+  };
+  return told_constant(claim, found, verdict, Told{"views", views_of(claim).size()},
+                       Told{"most", words(plain, plain.largest)},
+                       Told{"most_with_cosine", words(with_cosine, with_cosine.largest_with_cosine)},
+                       Told{"creates", creates_energy ? "it creates energy" : "it creates no energy"},
+                       Told{"least", at_end(*lowest)}, Told{"least_exponent", lowest->exponent},
+                       Told{"least_view", lowest->points.back().view_angle},
+                       Told{"two_ways", std::max(error, reflectance_tolerance)});
 }
 
-/// (stand-in / exact constant) - 1, as a function of log2(alpha).
-class CheapRatio {
- public:
-  explicit CheapRatio(const PrintedConstant& printed) : printed_(printed) {}
-
-  double operator()(double log2_alpha) const {
-    const double alpha = exp2(log2_alpha);
-    return printed_.at(alpha) / BlinnPhongBrdfLobe::constant(alpha) - 1;
-  }
-  double distance(double log2_alpha) const { return std::abs((*this)(log2_alpha)); }
-
- private:
-  const PrintedConstant& printed_;
-};
+/// The distance of a stand-in from the exact constant, relative, as a function of log2(alpha).
+using DistanceAt = std::function<double(double log2_alpha)>;
 
 constexpr double grid_first = -10, grid_last = 20, grid_step = 0.125;
 
@@ -210,38 +147,27 @@ constexpr unsigned root_bits = 45;
 
 /// The place where the stand-in is furthest from the exact constant: the worst of a grid, refined between its
 /// neighbours to half of the digits of a double.
-double furthest_place(const CheapRatio& ratio) {
+double furthest_place(const DistanceAt& distance) {
   double place = grid_first;
   for (double x = grid_first; x <= grid_last; x += grid_step) {
-    if (ratio.distance(x) > ratio.distance(place)) place = x;
+    if (distance(x) > distance(place)) place = x;
   }
   if (place == grid_first || place == grid_last) return place;
-  return boost::math::tools::brent_find_minima([&](double x) { return -ratio.distance(x); },
-                                               place - grid_step, place + grid_step, 27)
+  return boost::math::tools::brent_find_minima([&](double x) { return -distance(x); }, place - grid_step,
+                                               place + grid_step, 27)
       .first;
 }
 
 /// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`.
 /// Empty if it does not cross `allowed` on the way.
-std::optional<double> close_up_to(const CheapRatio& ratio, double from, double to, double allowed) {
-  const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
+std::optional<double> close_up_to(const DistanceAt& distance, double from, double to, double allowed) {
+  const auto excess = [&](double x) { return distance(x) - allowed; };
   const double step = std::copysign(grid_step, to - from);
   for (double x = from; (to - x) * step > 0 && excess(x) <= 0; x += step) {
     const double next = std::clamp(x + step, std::min(from, to), std::max(from, to));
     if (excess(next) > 0) return root_between(excess, std::min(x, next), std::max(x, next), root_bits);
   }
   return std::nullopt;
-}
-
-std::string within_one_code(const CheapRatio& ratio, double place) {
-  const double code = change_of_one_code();
-  const auto up_to = close_up_to(ratio, grid_first, place, code),
-             from = close_up_to(ratio, grid_last, place, code);
-  std::vector<std::string> ranges;
-  if (up_to) ranges.push_back(fmt::format("up to a = {:.4g}", std::exp2(*up_to)));
-  if (from) ranges.push_back(fmt::format("from a = {:.4g} on", std::exp2(*from)));
-  return fmt::format("It is within one 8-bit sRGB code ({:.4g}) {}", code,
-                     ranges.empty() ? std::string("nowhere") : enumerated(ranges));
 }
 
 /// The views at which it creates energy: "7.5 % seen along the normal .."
@@ -259,62 +185,52 @@ std::string energy_in_words(const std::vector<ReflectanceCurve>& curves) {
 }
 
 /// Whether it is closer for lower powers: everywhere, up to its worst place, or not at all.
-Verdict closest_at_low_powers(const CheapRatio& ratio, double furthest) {
+Verdict closest_at_low_powers(const DistanceAt& distance, double furthest) {
   for (double x = grid_first; x + grid_step <= furthest; x += grid_step) {
-    if (ratio.distance(x) > ratio.distance(x + grid_step)) return Verdict::refuted;
+    if (distance(x) > distance(x + grid_step)) return Verdict::refuted;
   }
-  return furthest <= grid_first  ? Verdict::refuted
-         : furthest >= grid_last ? Verdict::confirmed
-                                 : Verdict::conditional;
-}
-
-std::string closest_in_words(const CheapRatio& ratio, double furthest, double low) {
-  const Verdict verdict = closest_at_low_powers(ratio, furthest);
-  if (verdict == Verdict::confirmed) return "The lower the power, the closer it is";
-  if (verdict == Verdict::refuted) return "It does not get closer with each lower power";
-  const auto from = close_up_to(ratio, grid_last, furthest, ratio.distance(std::log2(low)));
-  return fmt::format(
-      "Below that a, a lower power has a ratio closer to 1. Above it this fails: {}{:.4g}",
-      from ? fmt::format("from a = {:.4g} on the ratio is closer to 1 than at a = ", std::exp2(*from))
-           : std::string("but nowhere there the ratio stays closer to 1 than at a = "),
-      low);
+  return verdict_of(furthest >= grid_last, furthest > grid_first);
 }
 
 Finding cheap_constant(const Claim& claim) {
   const PrintedConstant printed(claim.printed[0].value);
-  const double close = given(claim, "close"), low = given(claim, "low power");
-  const auto exponents = exponents_of(claim);
+  const double close = given(claim, "close");
   double error = 0;
-  for (const auto& check : check_normalisation(BlinnPhongBrdfLobe::record, exponents))
+  for (const auto& check :
+       check_normalisation(BlinnPhongBrdfLobe::record, parse_sweep(claim.inputs.at("exponents"))))
     error = std::max({error, check.estimated_error, check.relative_difference});
   const auto curves = curves_of(claim, printed);
   error = std::max(error, error_of(curves));
-  const CheapRatio ratio(printed);
-  const double place = furthest_place(ratio), furthest = ratio.distance(place);
+  const auto ratio = [&](double log2_alpha) {
+    const double alpha = exp2(log2_alpha);
+    return printed.at(alpha) / BlinnPhongBrdfLobe::constant(alpha);
+  };
+  const DistanceAt distance = [&](double log2_alpha) { return std::abs(ratio(log2_alpha) - 1); };
+  const double place = furthest_place(distance), code = change_of_one_code();
+  const auto power_of = [](std::optional<double> log2_alpha) {
+    return exp2(log2_alpha.value_or(std::nan("")));
+  };
   const Verdict verdict =
-      worst(std::array{verdict_of(furthest <= close), closest_at_low_powers(ratio, place)});
-  return {
-      error <= reflectance_tolerance ? std::optional(verdict) : std::nullopt,
-      fmt::format("up to {:.10g} times the exact constant", 1 + ratio(place)),
-      told(claim, Told{"exact", BlinnPhongBrdfLobe::record.printed},
-           Told{"exponents_tried", range_in_words(exponents, "exponent")}, Told{"place", std::exp2(place)},
-           Told{"furthest", furthest}, Told{"is_within", furthest <= close ? "within " : "not within "},
-           Told{"one_code", within_one_code(ratio, place)},
-           Told{"closest", closest_in_words(ratio, place, low)},
-           Told{"views", range_in_words(views_of(claim), "view angle")},
-           Told{"energy", energy_in_words(curves)}),
-      effect_of_factor(1 + ratio(place), 1, fmt::format("at a = {:.3g} it", std::exp2(place)))};
+      worst(std::array{verdict_of(distance(place) <= close), closest_at_low_powers(distance, place)});
+  return told(claim, error <= reflectance_tolerance ? std::optional(verdict) : std::nullopt,
+              effect_of_factor(ratio(place), 1, fmt::format("at a = {:.3g} it", std::exp2(place))),
+              Told{"exact", BlinnPhongBrdfLobe::record.printed}, Told{"ratio", ratio(place)},
+              Told{"place", std::exp2(place)}, Told{"furthest", distance(place)},
+              Told{"is_within", distance(place) <= close ? "within" : "not within"}, Told{"one_code", code},
+              Told{"code_up_to", power_of(close_up_to(distance, grid_first, place, code))},
+              Told{"code_from", power_of(close_up_to(distance, grid_last, place, code))},
+              Told{"closer_from", power_of(close_up_to(distance, grid_last, place,
+                                                       distance(std::log2(given(claim, "low power")))))},
+              Told{"views", views_of(claim).size()}, Told{"energy", energy_in_words(curves)});
 }
 
 /// The quarter of the distribution's constant, and the same in a game's light unit.
 Finding microfacet_constant(const Claim& claim) {
-  const Finding plain = constant_alone(claim);
-  const Finding in_unit =
-      against_integrals(claim, PrintedConstant(claim.printed[1].value), claim.inputs.at("light unit"));
-  return {worst(std::array{plain.verdict, in_unit.verdict}),
-          fmt::format("{}; {}", plain.computed, in_unit.computed),
-          sentences({plain.evidence, in_unit.evidence}),
-          plain.effect == "none" ? in_unit.effect : plain.effect};
+  const AgainstIntegrals plain(claim, PrintedConstant(claim.printed[0].value));
+  const AgainstIntegrals in_unit(claim, PrintedConstant(claim.printed[1].value),
+                                 PrintedConstant(claim.inputs.at("light unit")).at(1));
+  return told_constant(claim, plain, worst(std::array{plain.verdict(), in_unit.verdict()}),
+                       Told{"unit_first", in_unit.first}, Told{"unit_last", in_unit.last});
 }
 
 /// The effect of a detour in half precision, or "none".
@@ -336,8 +252,8 @@ std::string effect_in_half(const Symbolic& left, const Symbolic& right) {
 /// An identity in c_diff, in 50 digits.
 Finding light_unit(const Claim& claim) {
   constexpr std::array<std::string_view, 1> names{"c_diff"};
-  const std::string_view left_text = claim.inputs.at("with pi"), right_text = claim.inputs.at("without");
-  const Symbolic left = parse_formula(left_text, names), right = parse_formula(right_text, names);
+  const Symbolic left = parse_formula(claim.inputs.at("with pi"), names),
+                 right = parse_formula(claim.inputs.at("without"), names);
   const auto value = [](const Symbolic& formula, const Decimal50& colour) {
     return in_50_digits(formula, [&](const std::string&) { return colour; });
   };
@@ -347,15 +263,8 @@ Finding light_unit(const Claim& claim) {
     furthest = max(furthest, Decimal50(abs(value(left, colour) / value(right, colour) - 1)));
   }
   constexpr double tolerance = 1e-45;  // of 50 digits, after three roundings
-  const bool holds = furthest <= tolerance;
-  const auto at_white = value(left, Decimal50(1)).convert_to<double>();
-  return {
-      verdict_of(holds), holds ? "identity" : fmt::format("{:.10g} at c_diff = 1", at_white),
-      fmt::format("{} and {} differ by {}, relative, at 255 grey levels in 50 digits", left_text, right_text,
-                  holds ? fmt::format("less than {:.1g}", tolerance)
-                        : fmt::format("up to {:.4g}", furthest.convert_to<double>())),
-      holds ? effect_in_half(left, right)
-            : effect_of_factor(at_white, value(right, Decimal50(1)).convert_to<double>())};
+  return told(claim, verdict_of(furthest <= tolerance), effect_in_half(left, right),
+              Told{"furthest", furthest.convert_to<double>()}, Told{"tolerance", tolerance});
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "approx/reflectance.hpp"
 #include "approx/scalar.hpp"
 
-/// A row of the table of formulas, which are tested over every scalar. This folder has a file for each topic.
+/// A row of the table of formulas, which are tested over every scalar. This folder has two files of them.
 namespace shadefit::testing {
 
 /// Rows of decimal texts.
@@ -22,6 +22,16 @@ struct Formula {
   Arguments arguments;
   double epsilons;
 };
+
+/// For the row of a formula: the name of a function and a call of it, of which `PART_OF` takes a member.
+#define OF(function) #function, [](auto... a) -> decltype(function(a...)) { return function(a...); }
+#define PART_OF(function, member) \
+#function "." #member, [](auto... a) -> decltype(function(a...).member) { return function(a...).member; }
+/// The same for a constant, times 1.
+#define CONSTANT(function)                                                         \
+#function, [](auto one) { return one * function<decltype(one)>(); }, Arguments { \
+    { "1" }                                                                        \
+  }
 
 template <class F>
 Formula(const char*, F, Arguments, double) -> Formula<F>;

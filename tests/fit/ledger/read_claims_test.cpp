@@ -57,14 +57,20 @@ TEST(Told, NumbersFormulasAndWordsStandInTheHoles) {
               .printed = {{"", "0.50"}},
               .inputs = {{"all powers", "2,32"}, {"tolerance", "1e-10"}},
               .derivation = "",
+              .computed = "{identity}, {found:.2g}",
               .evidence =
                   "{agree} within {tolerance} at {all_powers#power} up to {all_powers_last:.3g}; "
                   "{2 found + printed_0:.2f}, not {printed_0}; {found}",
               .source = {}};
-  EXPECT_EQ(told(claim, Told{"found", 3}, Told{"agree", "same"}),
-            "same within 1e-10 at 2 powers up to 32; 6.50, not 0.50; 3");
+  const Finding finding = told(claim, Verdict::confirmed, "none", Told{"found", 3}, Told{"agree", "same"});
+  EXPECT_EQ(finding.computed, "identity, 3");
+  EXPECT_EQ(finding.evidence, "same within 1e-10 at 2 powers up to 32; 6.50, not 0.50; 3");
+  EXPECT_EQ(finding.effect, "none");
+  claim.computed = "{identity}";
+  claim.evidence = "";
+  EXPECT_EQ(told(claim, Verdict::refuted, "none").computed, "no identity");
   claim.evidence = "{lost}";
-  EXPECT_THROW(told(claim), std::logic_error);
+  EXPECT_THROW(told(claim, Verdict::confirmed, "none"), std::logic_error);
 }
 
 }  // namespace

@@ -12,6 +12,10 @@ namespace {
 
 const std::array cosine_and_angle{Metric{.measure = Measure::cosine}, Metric{.measure = Measure::angle}};
 
+const Published& published_with(std::string_view id) {
+  return *std::ranges::find(published_constants, id, &Published::id);
+}
+
 struct Expected {
   const char* id;
   Verdict cosine;
@@ -76,13 +80,12 @@ TEST(Assess, EachPublishedDigitChangedChangesTheVerdict) {
 // Gotanda's 4.2 holds for some exponents: which ones, in three measures. Reference: x(7.3) in the
 // angle, 4.17985 by another method, lies on its near side.
 TEST(Assess, ANumberWithoutItsExponentHoldsForARange) {
-  const auto found = std::find_if(published_constants.begin(), published_constants.end(),
-                                  [](const auto& p) { return p.id == "phong-blinn-gotanda"; });
+  const Published& gotanda = published_with("phong-blinn-gotanda");
   FitCache fits(*find_family("phong-blinn"));
   const double exactly[] = {7.72, 6.60, 7.18};
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const Metric metric{.measure = measures[i]};
-    const auto range = assess(fits, *found, metric)->holds_for;
+    const auto range = assess(fits, gotanda, metric)->holds_for;
     ASSERT_TRUE(range.has_value());
     EXPECT_NEAR(range->exactly, exactly[i], 0.005) << name(measures[i]);
     EXPECT_NEAR(fits.at(range->exactly, metric).parameters[0], 4.2, 1e-12);
@@ -90,9 +93,9 @@ TEST(Assess, ANumberWithoutItsExponentHoldsForARange) {
     EXPECT_NEAR(fits.at(range->to, metric).parameters[0], 4.15, 1e-12);
   }
   // Every changed digit moves the range or, beyond the reach of the fits, refutes.
-  const auto original = assess(fits, *found, {});
+  const auto original = assess(fits, gotanda, {});
   for (const char* printed : {"4.1", "4.3", "4.7", "5.2", "3.2", "7.2"}) {
-    Published changed = *found;
+    Published changed = gotanda;
     changed.printed = printed;
     const auto assessment = assess(fits, changed, {});
     if (assessment->holds_for) {
@@ -101,16 +104,14 @@ TEST(Assess, ANumberWithoutItsExponentHoldsForARange) {
     EXPECT_EQ(assessment->judgement.verdict, assessment->holds_for ? Verdict::conditional : Verdict::refuted)
         << printed;
   }
-  Published far = *found;
+  Published far = gotanda;
   far.printed = "7.2";
   EXPECT_EQ(assess(fits, far, {})->judgement.verdict, Verdict::refuted);
 }
 
 TEST(Assess, APartOfTheDomainIsHeldAgainstTheWholeToo) {
   FitCache fits(*find_family("sg-offset"));
-  const auto found = std::find_if(published_constants.begin(), published_constants.end(),
-                                  [](const auto& p) { return p.id == "sg-offset-k5"; });
-  const auto assessment = assess(fits, *found, {.domain = {0.5, 0.875}});
+  const auto assessment = assess(fits, published_with("sg-offset-k5"), {.domain = {0.5, 0.875}});
   EXPECT_EQ(assessment->judgement.verdict, Verdict::other_objective);
   EXPECT_EQ(assessment->judgement.objective, "cosine");
   EXPECT_EQ(describe({.measure = Measure::angle, .domain = {0.5, 0.875}}), "angle on 0.5:0.875");
@@ -118,11 +119,7 @@ TEST(Assess, APartOfTheDomainIsHeldAgainstTheWholeToo) {
 
 TEST(Assess, AnEffectIsComputedAndNoneWhereTheDigitsAgree) {
   FitCache fits(*find_family("sg-offset"));
-  const auto assessment = [&](std::string_view id) {
-    const auto found = std::find_if(published_constants.begin(), published_constants.end(),
-                                    [&](const auto& p) { return p.id == id; });
-    return *assess(fits, *found, {});
-  };
+  const auto assessment = [&](std::string_view id) { return *assess(fits, published_with(id), {}); };
   EXPECT_EQ(assessment("sg-offset-limit").effect.absolute.magnitude, 0);
   // d/dx exp((k+x)(c-1)) is at most y exp(-k y) <= 1/(e k): at k = 5 and a step of 0.000455 that is 3.4e-5
   const double step = assessment("sg-offset-k5").effect.absolute.magnitude;

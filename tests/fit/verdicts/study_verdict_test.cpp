@@ -32,6 +32,11 @@ StudyJudgement judged(const PublishedSet& set) {
   return judge_set(objective_of(arc_cosine, Norm::least_squares, {}), set);
 }
 
+/// "other-objective: minimax"
+std::string verdict_and_objective(const StudyJudgement& judgement) {
+  return std::string(name(judgement.verdict)) + ": " + judgement.objective;
+}
+
 TEST(StudyVerdict, FindsEveryObjectiveAgain) {
   int found = 0;
   for (const StudyObjective& objective :
@@ -73,8 +78,7 @@ TEST(StudyVerdict, FindsObjectivesOfTwoVariables) {
     words.insert(others[i].words);
     if (i % 3 != 0) continue;
     const StudyJudgement judgement = judge_set(asked, printed(others[i], 9));
-    EXPECT_EQ(name(judgement.verdict), "other-objective") << others[i].words;
-    EXPECT_EQ(judgement.objective, others[i].words);
+    EXPECT_EQ(verdict_and_objective(judgement), "other-objective: " + others[i].words);
     EXPECT_EQ(judgement.tried, 1 + others.size());
     EXPECT_LT(judgement.chance, most_chance_hits);
   }
@@ -119,9 +123,8 @@ TEST(StudyVerdict, FindsTheGridOfATable) {
   EXPECT_EQ(others[3].words, "least squares, 16 x 16 even samples");
   EXPECT_EQ(others[3].study.rows->places[0].front(), 0.01);
   EXPECT_EQ(others[3].study.rows->places[1].back(), 0.8);
-  const StudyJudgement judgement = judge_set(asked, printed(midpoints, 9));
-  EXPECT_EQ(name(judgement.verdict), "other-objective");
-  EXPECT_EQ(judgement.objective, midpoints.words);
+  EXPECT_EQ(verdict_and_objective(judge_set(asked, printed(midpoints, 9))),
+            "other-objective: least squares, 32 x 32 midpoints");
 }
 
 // Few fits decide too, if the digits are many: of rows there are two, of three variables four.
@@ -132,8 +135,7 @@ TEST(StudyVerdict, DecidesAmongFewFits) {
   const StudyObjective asked = objective_of(solid, Norm::least_squares, {});
   const StudyJudgement many = judge_set(asked, printed(objective_of(solid, Norm::minimax, {}), 9));
   EXPECT_EQ(many.tried, 4U);
-  EXPECT_EQ(name(many.verdict), "other-objective") << many.objective;
-  EXPECT_EQ(many.objective, "minimax");
+  EXPECT_EQ(verdict_and_objective(many), "other-objective: minimax");
   const StudyJudgement few = judge_set(asked, printed(objective_of(solid, Norm::minimax, {}), 1));
   EXPECT_NE(name(few.verdict), "other-objective");
 }
@@ -143,9 +145,7 @@ TEST(StudyVerdict, FindsAHeldConstant) {
   StudyObjective held = holding(objective_of(arc_cosine, Norm::minimax, {}), "a", 1.57);
   PublishedSet set = printed(held, 9);
   set.values.emplace_back("a", "1.57");
-  const StudyJudgement judgement = judged(set);
-  EXPECT_EQ(name(judgement.verdict), "other-objective");
-  EXPECT_EQ(judgement.objective, "minimax with a = 1.57");
+  EXPECT_EQ(verdict_and_objective(judged(set)), "other-objective: minimax with a = 1.57");
 }
 
 TEST(StudyVerdict, FindsTheFitWithoutTheWeight) {
@@ -153,8 +153,7 @@ TEST(StudyVerdict, FindsTheFitWithoutTheWeight) {
   weighted.weight = "1 + 4 x";
   const StudyJudgement judgement = judge_set(objective_of(weighted, Norm::least_squares, {}),
                                              printed(objective_of(arc_cosine, Norm::least_squares, {}), 9));
-  EXPECT_EQ(name(judgement.verdict), "other-objective");
-  EXPECT_EQ(judgement.objective, "least squares, without the weight");
+  EXPECT_EQ(verdict_and_objective(judgement), "other-objective: least squares, without the weight");
 }
 
 // The mantissa of a logarithm, that has to join at 1: s - a = 1.
@@ -162,9 +161,8 @@ TEST(StudyVerdict, FindsLeastSquaresThatAreExactAtAnEnd) {
   const Study mantissa{.target = "log2(1 + x)", .form = "x (s - a x)", .over = {{"x", "0", "1"}}};
   const StudyObjective asked = objective_of(mantissa, Norm::least_squares, {});
   const StudyObjective exact = objective_of(mantissa, Norm::least_squares, {.exact_at = {1}});
-  const StudyJudgement judgement = judge_set(asked, printed(exact, 7));
-  EXPECT_EQ(name(judgement.verdict), "other-objective") << judgement.objective;
-  EXPECT_EQ(judgement.objective, "least squares, exact at x = 1");
+  EXPECT_EQ(verdict_and_objective(judge_set(asked, printed(exact, 7))),
+            "other-objective: least squares, exact at x = 1");
   const auto count = [&](const std::vector<std::string>& values) {
     return exact_least_squares(asked, values).size();
   };
@@ -218,8 +216,7 @@ TEST(StudyVerdict, FewDigitsDecideNothingUnderTheAskedObjective) {
   EXPECT_GT(right.chance, 0);
   // With one decimal minimax has the same digits: 1.6 and -0.2.
   const StudyJudgement few = judged(printed(objective_of(arc_cosine, Norm::least_squares, {}), 1));
-  EXPECT_EQ(name(few.verdict), "undecidable");
-  EXPECT_EQ(few.objective, "least squares");
+  EXPECT_EQ(verdict_and_objective(few), "undecidable: least squares");
   EXPECT_EQ(few.units_off, 0);
   EXPECT_EQ(few.also.front(), "minimax");
 }
@@ -237,9 +234,8 @@ TEST(StudyVerdict, TheConstantsOfTheTargetAreConfirmed) {
 TEST(StudyVerdict, FindsAFitToAPartOfTheRange) {
   Study part = arc_cosine;
   part.over[0] = {"x", "0.05", "0.95"};
-  const StudyJudgement judgement = judged(printed(objective_of(part, Norm::least_squares, {}), 9));
-  EXPECT_EQ(name(judgement.verdict), "other-objective");
-  EXPECT_EQ(judgement.objective, "least squares, x in 0.05:0.95");
+  EXPECT_EQ(verdict_and_objective(judged(printed(objective_of(part, Norm::least_squares, {}), 9))),
+            "other-objective: least squares, x in 0.05:0.95");
 }
 
 }  // namespace

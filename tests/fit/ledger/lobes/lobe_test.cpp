@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "approx/lobe_laws.hpp"
-#include "fit/ledger/lobes/exponents.hpp"
 #include "fit/ledger/lobes/lobe_errors.hpp"
+#include "fit/ledger/where.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/fit/ledger/mutations.hpp"
@@ -157,20 +157,20 @@ TEST(OffsetOne, KeepsTheIntegralOfTheLobe) {
 TEST(Exponents, AreCutWhereAConditionBeginsAndEnds) {
   const auto exponents = doubling_exponents(1, 100);
   EXPECT_EQ(exponents, (std::vector<double>{1, 2, 4, 8, 16, 32, 64, 100}));
-  const auto above = where_not_negative([](double k) { return k - 10; }, exponents);
+  const auto above = where_positive([](double k) { return k - 10; }, exponents);
   ASSERT_EQ(above.size(), 1U);
   EXPECT_NEAR(above[0].from, 10, 1e-8);
   EXPECT_EQ(above[0].to, 100);
   EXPECT_EQ(sentence(above, exponents), "from k = 10 on");
   EXPECT_TRUE(covers(above, 10.1, 100));
   EXPECT_FALSE(covers(above, 9.9, 100));
-  const auto outside = where_not_negative([](double k) { return (k - 3) * (k - 50); }, exponents);
+  const auto outside = where_positive([](double k) { return (k - 3) * (k - 50); }, exponents);
   EXPECT_EQ(sentence(outside, exponents), "up to k = 3 and from k = 50 on");
   EXPECT_FALSE(covers(outside, 1, 100));
-  const auto inside = where_not_negative([](double k) { return (3 - k) * (k - 50); }, exponents);
+  const auto inside = where_positive([](double k) { return (3 - k) * (k - 50); }, exponents);
   EXPECT_EQ(sentence(inside, exponents), "for k from 3 to 50");
-  EXPECT_EQ(sentence(where_not_negative([](double) { return 1.0; }, exponents), exponents), "for every k");
-  EXPECT_EQ(sentence(where_not_negative([](double) { return -1.0; }, exponents), exponents), "for no k");
+  EXPECT_EQ(sentence(where_positive([](double) { return 1.0; }, exponents), exponents), "for every k");
+  EXPECT_EQ(sentence(where_positive([](double) { return -1.0; }, exponents), exponents), "for no k");
   EXPECT_EQ(exponent_text(100000), "100000");
   EXPECT_EQ(exponent_text(8.06660), "8.067");
 }

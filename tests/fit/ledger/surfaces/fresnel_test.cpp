@@ -55,18 +55,20 @@ TEST(Where, APartIsACondition) {
 }
 
 TEST(Where, FindsTheRangesAndTheirEnds) {
-  const auto inside = where_negative([](double s) { return (s - 0.25) * (s - 0.5); });
+  std::vector<double> places;
+  for (int i = 0; i <= 30; ++i) places.push_back(i / 30.0);
+  const auto inside = where_positive([](double s) { return (s - 0.25) * (0.5 - s); }, places, 50);
   ASSERT_EQ(inside.size(), 1U);
-  EXPECT_NEAR(inside[0].first, 0.25, 1e-15);
-  EXPECT_NEAR(inside[0].second, 0.5, 1e-15);
-  const auto outside = where_negative([](double s) { return (s - 0.25) * (0.5 - s); });
+  EXPECT_NEAR(inside[0].from, 0.25, 1e-15);
+  EXPECT_NEAR(inside[0].to, 0.5, 1e-15);
+  const auto outside = where_positive([](double s) { return (s - 0.25) * (s - 0.5); }, places, 50);
   ASSERT_EQ(outside.size(), 2U);
-  EXPECT_EQ(outside[0].first, 0);
-  EXPECT_NEAR(outside[0].second, 0.25, 1e-15);
-  EXPECT_NEAR(outside[1].first, 0.5, 1e-15);
-  EXPECT_EQ(outside[1].second, 1);
+  EXPECT_EQ(outside[0].from, 0);
+  EXPECT_NEAR(outside[0].to, 0.25, 1e-15);
+  EXPECT_NEAR(outside[1].from, 0.5, 1e-15);
+  EXPECT_EQ(outside[1].to, 1);
   EXPECT_EQ(ranges_in_words(outside, 3), "from c = 0 to 0.25 and from c = 0.5 to 1");
-  EXPECT_EQ(ranges_in_words(where_negative([](double) { return 0.0; }), 3), "nowhere");
+  EXPECT_EQ(ranges_in_words(where_positive([](double) { return 0.0; }, places, 50), 3), "nowhere");
 }
 
 }  // namespace

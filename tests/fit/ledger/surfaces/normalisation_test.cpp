@@ -18,7 +18,6 @@ TEST(NormalisationClaims, AConstantThatIsTooLargeCreatesEnergy) {
   const Finding cheap = evaluate(with_printed(claim_of("norm-blinn-phong-brdf"), 0, "(a+8)/(8 pi)"));
   EXPECT_EQ(cheap.verdict, Verdict::refuted);
   EXPECT_NE(cheap.evidence.find(": it creates energy"), std::string::npos) << cheap.evidence;
-  EXPECT_NE(cheap.effect, "none");
 }
 
 // (a+8)/(8 pi) over (a+2)(a+4)/(8 pi (2^(-a/2) + a)): the largest ratio and its place by mpmath, 30 digits:
