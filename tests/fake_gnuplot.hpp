@@ -35,8 +35,8 @@ class EnvironmentVariable {
 /// Makes bin/gnuplot in `directory`, a shell script that finds the picture it shall write in $picture and the
 /// script that it is given in $script, and returns its path.
 inline std::string fake_gnuplot(const TemporaryDirectory& directory, const std::string& body) {
-  const std::string path = directory.file(
-      "bin/gnuplot", "#!/bin/sh\npicture=${3#*\\'}; picture=${picture%\\'}; script=$4\n" + body + "\n");
+  const std::string path =
+      directory.file("bin/gnuplot", "#!/bin/sh\nscript=$2; picture=${script%.gnuplot}.svg\n" + body + "\n");
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
   return path;
 }

@@ -264,14 +264,16 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
   std::string out = fmt::format("{}", fmt::join(parts, "\n"));
   out += news.out;
-  out += fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
+  out +=
+      fmt::format("\nReport: {}\n", printable((std::filesystem::path(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(results);
   return {err.empty() ? 0 : 1, out, err, put};
 }
 
-Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const CheckOptions& options) {
+Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options) {
   if (options.format != FindingFormat::text)
-    return outcome_of(drift_findings(drifts, cells, options.fail_above), options.format);
+    return outcome_of(drift_findings(checked, options.fail_above), options.format);
+  const auto& [drifts, cells] = checked;
   const std::string baseline = printable(options.baseline);
   if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}};
@@ -312,15 +314,14 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
       recomputed += recomputed_text(load_study(path), checkpoint);
   }
   const Results results = compute_results({}, checkpoint);
-  auto drifts = compare(baseline, results);
-  std::size_t cells = count_cells(results);
+  CheckedTables checked = compare(baseline, results);
   for (std::size_t i = 0; i < slow_baselines.size(); ++i) {
     const auto files = slow_tables[i].make(checkpoint, progress);
     const auto more = compare_files(slow_baselines[i], files);
-    drifts.insert(drifts.end(), more.begin(), more.end());
-    cells += count_cells(files);
+    checked.drifts.insert(checked.drifts.end(), more.drifts.begin(), more.drifts.end());
+    checked.cells += more.cells;
   }
-  Outcome outcome = check_outcome(drifts, cells, options);
+  Outcome outcome = check_outcome(checked, options);
   if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
   return outcome;
 }

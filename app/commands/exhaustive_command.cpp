@@ -123,7 +123,7 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
       std::string(sweeper.file),
       write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
   outcome.out +=
-      fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file.name).string()));
+      fmt::format("\nResult: {}\n", printable((std::filesystem::path(options.out) / file.name).string()));
   outcome.put = folder->prepare({file}, {}, options.force, checkpoint);
   return outcome;
 }

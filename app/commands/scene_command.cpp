@@ -37,7 +37,7 @@ std::string recorded_path(const std::string& file, const std::optional<std::stri
   const auto real = [](const std::filesystem::path& path) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
   };
-  return (folder ? real(file).lexically_relative(real(without_detours(*folder))) : real(file)).string();
+  return (folder ? real(file).lexically_relative(real(*folder)) : real(file)).string();
 }
 
 /// The command that prints the code.
@@ -74,8 +74,7 @@ std::vector<File> not_written(const scene::Plan& plan) {
 }
 
 std::string written(const std::string& directory, const std::vector<File>& files) {
-  return fmt::format("\nPlan: {}: {}\n", printable(without_detours(directory).string()),
-                     joined(files, ", ", &File::name));
+  return fmt::format("\nPlan: {}: {}\n", printable(directory), joined(files, ", ", &File::name));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoin
           write_console(stress_summary(forms), Precision::report, options.terminal) + "\n" +
               write_console(fits, Precision::report, options.terminal) +
               fmt::format("\nTables: {}, {}\n",
-                          printable((without_detours(options.out) / forms_stress_file).string()),
+                          printable((std::filesystem::path(options.out) / forms_stress_file).string()),
                           fits_stress_file),
           err, put};
 }

@@ -59,6 +59,6 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);
 
 /// What `check` prints: the drifts as a table or in a format of findings, or how many cells agree.
-Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const CheckOptions& options);
+Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options);
 
 }  // namespace shadefit

@@ -150,8 +150,8 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
   files.insert(files.end(), pages.begin(), pages.end());
   std::string out;
   for (const StudyComparison& comparison : comparisons) out += console_text(comparison, options.terminal);
-  out += news.out +
-         fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
+  out += news.out + fmt::format("\nReport: {}\n",
+                                printable((std::filesystem::path(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(comparisons);
   return {err.empty() ? 0 : 1, out, err, folder.prepare(files, missing, options.force, checkpoint)};
 }
@@ -179,7 +179,7 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
   progress("");
   const std::vector<File> written = gallery_files(judged);
   const auto put = folder.prepare(written, {}, options.force, checkpoint);
-  const auto first = without_detours(options.out) / written.front().name;
+  const auto first = std::filesystem::path(options.out) / written.front().name;
   return {0, fmt::format("Pages: {}\n", printable(first.string())), "", put};
 }
 
@@ -189,7 +189,7 @@ Outcome check_study_command(const StudyFile& file, const CheckOptions& options,
   const std::string recomputed = recomputed_text(file, checkpoint);
   std::vector<File> files = study_files_of(file, comparisons_of(file, checkpoint), {});
   std::erase_if(files, [](const File& made) { return made.name != "better.csv"; });
-  Outcome outcome = check_outcome(compare_files(baseline, files), count_cells(files), options);
+  Outcome outcome = check_outcome(compare_files(baseline, files), options);
   if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
   return outcome;
 }

@@ -35,8 +35,7 @@ void add_digits(CLI::App& command, int& digits) {
 }
 
 void add_plot(CLI::App& command, FitOptions& options, const std::string& what) {
-  add_value(command, "--plot", options.plot, parse_text, "FILE",
-            what + "; FILE ends with .svg, .pdf or .png");
+  add_value(command, "--plot", options.plot, parse_text, "FILE", what + "; FILE ends with .svg");
   add_force(command, options.force);
 }
 

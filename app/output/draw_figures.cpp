@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <string_view>
 
 #include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
@@ -14,17 +12,11 @@
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {
-namespace {
-
-constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};
-
-}  // namespace
-
 DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
                           const Checkpoint& checkpoint) {
   DrawnFigures drawn{plot_files(figures), {}, {}};
   const std::size_t all = figures.size();
-  const auto directory = printable((without_detours(out) / "plots").string());
+  const auto directory = printable((std::filesystem::path(out) / "plots").string());
   for (const Figure& figure : figures) drawn.missing.push_back({"plots/" + figure.name + ".svg", ""});
   if (const auto gnuplot = all > 0 ? find_gnuplot() : std::nullopt) {
     std::vector<std::string> names;
@@ -49,9 +41,7 @@ DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
 }
 
 void require_picture(const std::string& file) {
-  const bool is_known =
-      std::ranges::any_of(endings, [&](std::string_view ending) { return file.ends_with(ending); });
-  if (!is_known) throw UserError(fmt::format("--plot '{}' must end with .svg, .pdf or .png", file));
+  if (!file.ends_with(".svg")) throw UserError(fmt::format("--plot '{}' must end with .svg", file));
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (std::error_code none; !folder.empty() && !std::filesystem::is_directory(folder, none))
     throw UserError(
@@ -64,9 +54,7 @@ std::function<void()> draw_picture(const Figure& figure, const std::string& file
                                    const Checkpoint& checkpoint) {
   require_picture(file);
   const OutputFile output(file, "the picture");
-  const std::string ending = file.substr(file.size() - endings.front().size());
-  const std::string name = figure.name + (ending == ".svg" ? "" : ending);
-  const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({figure}), {name}, checkpoint);
+  const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({figure}), {figure.name}, checkpoint);
   if (!pictures.failed.empty())
     throw UserError(fmt::format("--plot '{}' was not drawn: {}", file, pictures.failed.front().complaint));
   return output.prepare(pictures.files.front().content, force, checkpoint);

@@ -26,7 +26,7 @@ struct DrawnFigures {
 /// writes nothing there.
 DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out, const Checkpoint& checkpoint);
 
-/// Throws UserError unless the name of a picture ends with .svg, .pdf or .png and its folder is there, or
+/// Throws UserError unless the name of a picture ends with .svg and its folder is there, or
 /// where gnuplot is missing.
 void require_picture(const std::string& file);
 

@@ -7,7 +7,6 @@
 #include "bench/tradeoff/report.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/escape.hpp"
-#include "reports/io/gnuplot_text.hpp"
 
 namespace shadefit::bench {
 namespace {

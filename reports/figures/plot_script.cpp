@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "reports/io/escape.hpp"
-#include "reports/io/gnuplot_text.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/table/writers.hpp"
 
@@ -16,8 +15,6 @@ namespace {
 
 /// Pixels: the width that GitHub shows, and the space for tics, labels, titles and rows of the legend.
 constexpr int picture_width = 900;
-/// CSS: 96 pixels an inch. The fonts and lines of a PDF and a PNG are scaled to look as those of the SVG do.
-constexpr double centimetres_a_pixel = 2.54 / 96;
 constexpr int left_edge = 88, right_edge = 22, top_edge = 18, bottom_edge = 70;
 constexpr int title_height = 22, top_tics_height = 20, legend_height = 22;
 constexpr int between_columns = 84, between_rows = 50;
@@ -132,27 +129,16 @@ std::string prelude(const Plot& plot) {
   const auto across = [](int pixels) { return static_cast<double>(pixels) / picture_width; };
   const auto up = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
   return fmt::format(
-             "# Draws {1}.svg from {1}.csv. As PDF or PNG: gnuplot -e \"output='{1}.pdf'\" {1}.gnuplot\n"
+             "# Draws {1}.svg from {1}.csv: gnuplot {1}.gnuplot\n"
              "# {0}\n"
-             "# To restyle it, copy it: a copy, x.gnuplot, draws x.svg. The next run replaces this file.\n"
-             "if (!exists('ARG0')) ARG0 = ''\n"
-             "if (!exists('output')) output = (strlen(ARG0) > 8 ? ARG0[1:strlen(ARG0)-8] : '{1}') . '.svg'\n"
+             "# To restyle it, copy it and change the output: the next run replaces this file.\n"
              "set encoding utf8\n"
-             "has_end(end) = output[strlen(output)-strlen(end)+1:] eq end\n"
-             "if (has_end('.pdf')) {{\n"
-             "  set terminal pdfcairo size {4:.5f}cm,{5:.5f}cm font 'sans-serif,13' fontscale 0.5625 "
-             "linewidth 1.33 background '#FFFFFF'\n"
-             "}} else {{ if (has_end('.png')) {{\n"
-             "  set terminal pngcairo size {2},{3} font 'sans-serif,9.75' background '#FFFFFF'\n"
-             "}} else {{\n"
-             "  set terminal svg size {2},{3} font 'sans-serif,13' background '#FFFFFF'\n"
-             "}}}}\n"
-             "set output output\n"
+             "set terminal svg size {2},{3} font 'sans-serif,13' background '#FFFFFF'\n"
+             "set output '{1}.svg'\n"
              "set datafile separator comma\n"
              "set datafile columnheaders\n"
              "set minussign\n",
-             for_comment(plot.about), plot.name, picture_width, layout.height,
-             picture_width * centimetres_a_pixel, layout.height * centimetres_a_pixel) +
+             for_comment(plot.about), plot.name, picture_width, layout.height) +
          std::string(styles) +
          fmt::format(
              "set border lc rgb '#404040'\n"

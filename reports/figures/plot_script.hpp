@@ -64,8 +64,7 @@ struct Plot {
   std::vector<Panel> panels;
 };
 
-/// The script: run in the directory of its data, it writes NAME.svg, or the file that the variable `output`
-/// names: a PDF or a PNG where that ends with .pdf or .png, else an SVG. Long titles and labels of the legend
+/// The script: run in the directory of its data, it writes NAME.svg. Long titles and labels of the legend
 /// have several lines.
 std::string write_script(const Plot& plot);
 

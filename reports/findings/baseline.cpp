@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "fit/input/bounded_file.hpp"
 #include "fit/support/decimal.hpp"
@@ -14,7 +15,6 @@
 #include "reports/io/csv.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/report.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {
@@ -49,20 +49,19 @@ std::vector<std::string> keys_of(const CsvTable& table) {
   return keys;
 }
 
-std::string plain_effect(const std::string& before, const std::string& after) {
-  const auto old_value = parse_number(before), new_value = parse_number(after);
-  if (!old_value || !new_value) return "another word";
-  if (*old_value == *new_value) return "the same number, written differently";
-  if (*old_value == 0) return fmt::format("from 0 by {:.2g}", *new_value);
-  return fmt::format("relative change {:.2g}", (*new_value - *old_value) / std::abs(*old_value));
-}
-
-/// How much a number changes, as a share of it; empty for words.
+/// How much a number changes, as a share of it, infinite from 0; nothing for words.
 std::optional<double> change_of(const std::string& before, const std::string& after) {
   const auto old_value = parse_number(before), new_value = parse_number(after);
   if (!old_value || !new_value) return std::nullopt;
   if (*old_value == *new_value) return 0;
-  return std::abs(*new_value - *old_value) / std::abs(*old_value);
+  return (*new_value - *old_value) / std::abs(*old_value);
+}
+
+std::string plain_effect(const std::optional<double>& change, const std::string& after) {
+  if (!change) return "another word";
+  if (*change == 0) return "the same number, written differently";
+  if (std::isinf(*change)) return fmt::format("from 0 by {:.2g}", *parse_number(after));
+  return fmt::format("relative change {:.2g}", *change);
 }
 
 /// The effect on the curve if a parameter is `before`, as in the baseline.
@@ -82,48 +81,44 @@ struct OldTable {
   CsvTable table;
 };
 
-/// The line of a row: no cell has line ends.
-long line_of(std::size_t row) {
-  constexpr long first = 2;  // after the header
-  return first + static_cast<long>(row);
-}
-
-/// Compares two versions of a table; of fits.csv, `origins` are those of the rows of the newer one.
-std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after,
-                                  const std::vector<FitRow>& origins = {}) {
+/// Adds what differs in two versions of a table; of fits.csv, `origins` are those of the rows of the newer
+/// one.
+void compare_tables(const OldTable& old, const CsvTable& after, const std::vector<FitRow>& origins,
+                    CheckedTables& checked) {
   const CsvTable& before = old.table;
-  std::vector<Drift> drifts;
-  const auto add = [&](const std::string& row, const std::string& column, const std::string& from,
-                       const std::string& to, const std::string& effect, long line) {
-    drifts.push_back({old.file, row, column, from, to, effect, old.path, line, change_of(from, to)});
+  constexpr std::size_t header = 1, first = header + 1;  // lines: no cell has line ends
+  const auto add = [&](const std::string& row, std::size_t line, const std::string& effect) {
+    Drift& drift = checked.drifts.emplace_back();
+    drift = {
+        .file = old.file, .row = row, .effect = effect, .path = old.path, .line = static_cast<long>(line)};
+    return &drift;
   };
   const auto old_keys = keys_of(before), new_keys = keys_of(after);
   for (std::size_t i = 0; i < after.rows.size(); ++i) {
+    checked.cells += after.columns.size();
     const auto match = std::ranges::find(old_keys, new_keys[i]);
     if (match == old_keys.end()) {
-      add(new_keys[i], "", "", "", "the baseline has no such row", 1);
+      add(new_keys[i], header, "the baseline has no such row");
       continue;
     }
     const auto row = static_cast<std::size_t>(match - old_keys.begin());
-    const auto& old_row = before.rows[row];
     for (std::size_t j = 0; j < after.columns.size(); ++j) {
-      if (old_row[j] == after.rows[i][j]) continue;
+      const std::string &from = before.rows[row][j], &to = after.rows[i][j];
+      if (from == to) continue;
       const bool is_of_a_curve = !origins.empty() && after.columns[j] == "fitted";
-      const auto effect = is_of_a_curve ? curve_effect(origins[i], old_row[j]) : std::nullopt;
-      add(new_keys[i], after.columns[j], old_row[j], after.rows[i][j],
-          effect.value_or(plain_effect(old_row[j], after.rows[i][j])), line_of(row));
+      const auto change = change_of(from, to);
+      const auto effect = is_of_a_curve ? curve_effect(origins[i], from) : std::nullopt;
+      Drift& drift = *add(new_keys[i], first + row, effect.value_or(plain_effect(change, to)));
+      drift.column = after.columns[j];
+      drift.before = from;
+      drift.after = to;
+      if (change) drift.change = std::abs(*change);
     }
   }
   for (std::size_t row = 0; row < old_keys.size(); ++row) {
-    if (std::ranges::find(new_keys, old_keys[row]) != new_keys.end()) continue;
-    add(old_keys[row], "", "", "", "a row that is no longer computed", line_of(row));
+    if (std::ranges::find(new_keys, old_keys[row]) == new_keys.end())
+      add(old_keys[row], first + row, "a row that is no longer computed");
   }
-  return drifts;
-}
-
-/// The computed table as a reader of its CSV sees it.
-CsvTable as_csv(const Table& table, const std::string& name) {
-  return parse_csv(write_csv(table, Precision::report), name);
 }
 
 /// The table of a file of the baseline, which must have these columns.
@@ -136,6 +131,27 @@ OldTable parse_checked(const Baseline& baseline, const std::string& name,
     throw UserError(fmt::format("'{}' has other columns ({}): they must be {}", path.string(),
                                 fmt::join(table.columns, ","), fmt::join(columns, ",")));
   return {name, path.lexically_normal().generic_string(), table};
+}
+
+CheckedTables compare_all(const Baseline& baseline, const std::vector<File>& now,
+                          const std::vector<FitRow>& origins) {
+  CheckedTables checked;
+  for (const auto& [name, content] : now) {
+    const CsvTable table = parse_csv(content, name);
+    compare_tables(parse_checked(baseline, name, table.columns), table,
+                   name == fits_file ? origins : std::vector<FitRow>{}, checked);
+  }
+  return checked;
+}
+
+/// The ids stay: dashboards and suppressions name them.
+constexpr const char* changed_cell = "changed-cell";
+constexpr const char* changed_row = "changed-row";
+
+std::string message_of(const Drift& drift) {
+  if (drift.column.empty()) return fmt::format("the row '{}': {}", drift.row, drift.effect);
+  return fmt::format("{} of the row '{}' is '{}' in the baseline and '{}' now: {}", drift.column, drift.row,
+                     drift.before, drift.after, drift.effect);
 }
 
 }  // namespace
@@ -164,41 +180,44 @@ Baseline read_tables(const std::filesystem::path& directory, const std::vector<s
   return tables;
 }
 
-std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
-  const FitsTable fits = fits_table(results.refits);
-  auto drifts = compare_tables(parse_checked(baseline, fits_file, fits.table.columns),
-                               as_csv(fits.table, fits_file), fits.origins);
-  for (const auto& [file, table] : plain_tables(results)) {
-    const auto others = compare_tables(parse_checked(baseline, file, table.columns), as_csv(table, file));
-    drifts.insert(drifts.end(), others.begin(), others.end());
-  }
-  return drifts;
+CheckedTables compare(const Baseline& baseline, const Results& results) {
+  return compare_all(baseline, table_files(results), fits_table(results.refits).origins);
 }
 
-std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>& now) {
-  std::vector<Drift> drifts;
-  for (const File& file : now) {
-    const CsvTable after = parse_csv(file.content, file.name);
-    const auto others = compare_tables(parse_checked(tables, file.name, after.columns), after);
-    drifts.insert(drifts.end(), others.begin(), others.end());
-  }
-  return drifts;
+CheckedTables compare_files(const Baseline& tables, const std::vector<File>& now) {
+  return compare_all(tables, now, {});
 }
 
-std::size_t count_cells(const std::vector<File>& files) {
-  std::size_t sum = 0;
-  for (const File& file : files) {
-    const CsvTable table = parse_csv(file.content, file.name);
-    sum += table.rows.size() * table.columns.size();
-  }
-  return sum;
+bool is_failing(const Drift& drift, const std::optional<double>& fail_above) {
+  return !fail_above || !drift.change || *drift.change > *fail_above;
 }
 
-std::size_t count_cells(const Results& results) {
-  const auto cells = [](const Table& table) { return table.rows.size() * table.columns.size(); };
-  std::size_t sum = cells(fits_table(results.refits).table);
-  for (const auto& [file, table] : plain_tables(results)) sum += cells(table);
-  return sum;
+findings::FindingReport drift_findings(const CheckedTables& checked,
+                                       const std::optional<double>& fail_above) {
+  constexpr const char* renewal =
+      "If the change is meant, renew the baseline: shadefit run --no-plots --out DIR, for a study "
+      "shadefit run STUDY --no-plots --out DIR.";
+  findings::FindingReport report{"check",
+                                 {{changed_cell, "A cell is not what is computed now", renewal},
+                                  {changed_row, "A row is new, or no longer computed", renewal}},
+                                 {},
+                                 checked.cells,
+                                 "cells"};
+  for (const Drift& drift : checked.drifts) {
+    using findings::FindingLevel;
+    const char* rule = drift.column.empty() ? changed_row : changed_cell;
+    report.findings.push_back(
+        {.rule = rule,
+         .level = is_failing(drift, fail_above) ? FindingLevel::error : FindingLevel::note,
+         .message = message_of(drift),
+         .place = findings::FindingPlace{.path = drift.path, .line = drift.line},
+         .fingerprint = fmt::format("{} {} {}{}{}", rule, drift.file, drift.row,
+                                    drift.column.empty() ? "" : " ", drift.column)});
+  }
+  std::ranges::stable_sort(report.findings, [](const auto& a, const auto& b) {
+    return std::tie(a.place->path, a.place->line) < std::tie(b.place->path, b.place->line);
+  });
+  return report;
 }
 
 }  // namespace shadefit

@@ -14,14 +14,20 @@ namespace shadefit {
 
 struct Drift {
   std::string file;
-  std::string row;     ///< the row's key, like "sg-offset x 5 cosine"
-  std::string column;  ///< empty if the whole row is missing or new
-  std::string before;
-  std::string after;
-  std::string effect;                 ///< what it means: of the curve, a relative change, or a changed word
+  std::string row;          ///< the row's key, like "sg-offset x 5 cosine"
+  std::string column = {};  ///< empty if the whole row is missing or new
+  std::string before = {};
+  std::string after = {};
+  std::string effect = {};            ///< what it means: of the curve, a relative change, or a changed word
   std::string path = {};              ///< of the baseline's file
   long line = 1;                      ///< of the row in it; of the header, if the row is new
   std::optional<double> change = {};  ///< of a number, as a share of the baseline's; infinite from 0
+};
+
+/// What came of a comparison.
+struct CheckedTables {
+  std::vector<Drift> drifts;  ///< every difference, once each
+  std::size_t cells = 0;      ///< that were compared
 };
 
 /// The tables that a baseline holds, read into memory.
@@ -36,27 +42,20 @@ Baseline read_baseline(const std::filesystem::path& directory);
 /// The same for tables with these names, which are optional in a baseline.
 Baseline read_tables(const std::filesystem::path& directory, const std::vector<std::string>& names);
 
-/// Every difference between the baseline and the results, once each. Throws UserError naming file and line if
-/// the baseline is truncated, malformed or has other columns.
-std::vector<Drift> compare(const Baseline& baseline, const Results& results);
+/// Compares the baseline with the results. Throws UserError naming file and line if the baseline is
+/// truncated, malformed or has other columns.
+CheckedTables compare(const Baseline& baseline, const Results& results);
 
-/// Every difference between tables of `read_tables` and CSV tables of the same names as they are now. Throws
-/// UserError as `compare` does.
-std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>& now);
-
-/// The number of cells of such tables.
-std::size_t count_cells(const std::vector<File>& files);
-
-/// The number of cells of the tables of the results.
-std::size_t count_cells(const Results& results);
+/// Compares tables of `read_tables` with CSV tables of the same names as they are now. Throws UserError as
+/// `compare` does.
+CheckedTables compare_files(const Baseline& tables, const std::vector<File>& now);
 
 /// Whether a drift fails the check: every one, or with a limit each number that changed by a larger share,
 /// and each word and row.
 bool is_failing(const Drift& drift, const std::optional<double>& fail_above);
 
 /// The drifts as findings of `check`, each at its row of the baseline; a row that the baseline lacks at the
-/// header. One that fails is an error, others are notes. `cells` were compared.
-findings::FindingReport drift_findings(const std::vector<Drift>& drifts, std::size_t cells,
-                                       const std::optional<double>& fail_above);
+/// header. One that fails is an error, others are notes.
+findings::FindingReport drift_findings(const CheckedTables& checked, const std::optional<double>& fail_above);
 
 }  // namespace shadefit

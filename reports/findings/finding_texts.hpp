@@ -20,18 +20,10 @@ constexpr std::string_view name(FindingLevel level) {
   return names[static_cast<std::size_t>(level)];
 }
 
-/// "tables/fits.csv:12:5"; what is not known is left out.
-std::string place_text(const FindingPlace& place);
-
-/// "check failed: 3 errors, 1 warning in 3812 cells; 2 suppressed, 1 known". Without a line end.
-std::string summary_of(const FindingReport& report);
-
 /// The rule of a finding, or null.
 const FindingRule* rule_of(const FindingReport& report, const Finding& finding);
 
 std::string findings_json(const FindingReport& report);
 std::string findings_sarif(const FindingReport& report);
-std::string findings_github(const FindingReport& report);
-std::string findings_markdown(const FindingReport& report);
 
 }  // namespace shadefit::findings

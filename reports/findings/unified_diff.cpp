@@ -30,20 +30,6 @@ void add_line(std::string& diff, char sign, std::string_view line) {
   if (!line.ends_with('\n')) diff += "\n\\ No newline at end of file\n";
 }
 
-/// The name of a file as git writes it. A quote, a backslash or a character without a shape puts it in
-/// quotes.
-std::string name_in_diff(const std::string& name) {
-  if (name.find_first_of("\"\\") == std::string::npos && printable(name) == name) return name;
-  std::string quoted;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    quoted += c == '"' || c == '\\'         ? std::string{'\\', c}
-              : byte < 0x20 || byte >= 0x7F ? fmt::format("\\{:03o}", byte)
-                                            : std::string(1, c);
-  }
-  return '"' + quoted + '"';
-}
-
 }  // namespace
 
 std::string unified_diff(const std::string& name, std::string_view before, std::string_view after) {
@@ -54,8 +40,8 @@ std::string unified_diff(const std::string& name, std::string_view before, std::
     if (old_lines[i] != new_lines[i]) changed.push_back(i);
   if (changed.empty()) return "";
   const bool is_absolute = name.starts_with('/');
-  std::string diff = fmt::format("--- {}\n+++ {}\n", name_in_diff((is_absolute ? "" : "a/") + name),
-                                 name_in_diff((is_absolute ? "" : "b/") + name));
+  std::string diff = fmt::format("--- {1}{0}\n+++ {2}{0}\n", printable(name), is_absolute ? "" : "a/",
+                                 is_absolute ? "" : "b/");
   for (std::size_t i = 0; i < changed.size();) {
     std::size_t last = i;
     while (last + 1 < changed.size() && changed[last + 1] - changed[last] <= 2 * lines_of_context) ++last;

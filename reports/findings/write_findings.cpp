@@ -6,6 +6,7 @@
 
 #include "reports/findings/finding_texts.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
 
 namespace shadefit::findings {
 namespace {
@@ -14,6 +15,32 @@ namespace {
 std::string counted(std::size_t count, std::string_view plural) {
   if (count == 1 && plural.ends_with('s')) plural.remove_suffix(1);
   return fmt::format("{} {}", count, plural);
+}
+
+/// "tables/fits.csv:12:5"; what is not known is left out.
+std::string place_text(const FindingPlace& place) {
+  std::string text = place.path;
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+  return text;
+}
+
+/// "check failed: 3 errors, 1 warning in 3812 cells; 2 suppressed, 1 known". Without a line end.
+std::string summary_of(const FindingReport& report) {
+  const FindingCounts counts = count(report);
+  const auto listed = [](const std::vector<std::pair<std::size_t, std::string_view>>& numbers) {
+    std::vector<std::string> parts;
+    for (const auto& [number, words] : numbers) {
+      if (number > 0) parts.push_back(counted(number, words));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+  };
+  const std::string found =
+      listed({{counts.errors, "errors"}, {counts.warnings, "warnings"}, {counts.notes, "notes"}});
+  const std::string set_aside = listed({{counts.suppressed, "suppressed"}, {counts.known, "known"}});
+  return fmt::format("{} {}: {} in {}{}", report.command, passes(report) ? "passed" : "failed",
+                     found.empty() ? "nothing found" : found, counted(report.checked, report.checked_words),
+                     set_aside.empty() ? "" : "; " + set_aside);
 }
 
 /// A line for each finding, as compilers write them: an editor can jump to its place.
@@ -26,6 +53,95 @@ std::string findings_text(const FindingReport& report) {
                         finding.rule);
   }
   return text + summary_of(report) + "\n";
+}
+
+/// A text in a workflow command of GitHub Actions. Source: GitHub, "Workflow commands for GitHub Actions";
+/// for the escapes actions/toolkit, packages/core/src/command.ts. A property also ends at ',' and at ':'.
+/// Other control characters are shown, as they would colour or hide lines of the log.
+std::string command_data(std::string_view text, bool is_property) {
+  std::string data;
+  while (!text.empty()) {
+    const std::size_t length = std::max<std::size_t>(first_code_point(text).length, 1);
+    const char c = text.front();
+    const bool is_escaped = c == '%' || c == '\r' || c == '\n' || (is_property && (c == ':' || c == ','));
+    data += is_escaped ? fmt::format("%{:02X}", static_cast<unsigned char>(c))
+                       : printable(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+  return data;
+}
+
+std::string command_of(const FindingReport& report, const Finding& finding) {
+  std::string properties;
+  const auto add = [&](const char* key, const std::string& value) {
+    properties += fmt::format("{}{}={}", properties.empty() ? " " : ",", key, command_data(value, true));
+  };
+  const auto add_number = [&](const char* key, long value) {
+    if (value > 0) add(key, fmt::format("{}", value));
+  };
+  if (finding.place) {
+    add("file", finding.place->path);
+    add_number("line", finding.place->line);
+    add_number("endLine", finding.place->end_line);
+    add_number("col", finding.place->column);
+    add_number("endColumn", finding.place->end_column);
+  }
+  const FindingRule* rule = rule_of(report, finding);
+  add("title", rule == nullptr ? finding.rule : rule->title);
+  const std::string_view level = finding.level == FindingLevel::note ? "notice" : name(finding.level);
+  return fmt::format("::{}{}::{} [{}]\n", level, properties, command_data(finding.message, false),
+                     command_data(finding.rule, false));
+}
+
+/// Workflow commands, which GitHub shows at their lines.
+std::string findings_github(const FindingReport& report) {
+  std::string text;
+  for (const Finding& finding : report.findings) {
+    if (!finding.suppressed && !finding.is_known) text += command_of(report, finding);
+  }
+  return text + summary_of(report) + "\n";
+}
+
+/// The most rows of a table: a job summary may have 1 MiB, and a row has at most 4 KiB: two texts of
+/// `one_line`, of 600 bytes, each shown as up to 4, half as much again for escapes, and less for the rest.
+constexpr std::size_t most_rows = 200;
+
+/// A cell of bounded size.
+OthersText short_cell(std::string_view text) {
+  return one_line(text);
+}
+
+/// A table of findings, with what is left out.
+std::string finding_table(const std::vector<const Finding*>& findings, bool has_reasons) {
+  if (findings.empty()) return "";
+  Table table{{"level", "place", "rule", "finding"}};
+  if (has_reasons) table.columns.emplace_back("reason");
+  for (std::size_t i = 0; i < std::min(findings.size(), most_rows); ++i) {
+    const Finding& finding = *findings[i];
+    auto& row = table.rows.emplace_back();
+    row = {std::string(name(finding.level)), short_cell(finding.place ? place_text(*finding.place) : ""),
+           short_cell(finding.rule), short_cell(finding.message)};
+    if (has_reasons) row.emplace_back(short_cell(*finding.suppressed));
+  }
+  std::string text = "\n" + write_markdown(table, Precision::report);
+  if (findings.size() > most_rows)
+    text += fmt::format("\n{} more are not shown.\n", findings.size() - most_rows);
+  return text;
+}
+
+/// A summary for people, such as the job summary of GitHub ($GITHUB_STEP_SUMMARY).
+std::string findings_markdown(const FindingReport& report) {
+  std::vector<const Finding*> found, suppressed;
+  for (const Finding& finding : report.findings) {
+    if (finding.suppressed) {
+      suppressed.push_back(&finding);
+    } else if (!finding.is_known) {
+      found.push_back(&finding);
+    }
+  }
+  const std::string reasons = finding_table(suppressed, true);
+  return fmt::format("### shadefit {}\n{}{}{}", summary_of(report), finding_table(found, false),
+                     reasons.empty() ? "" : "\nSuppressed:\n", reasons);
 }
 
 }  // namespace
@@ -48,30 +164,6 @@ FindingCounts count(const FindingReport& report) {
     }
   }
   return counts;
-}
-
-std::string place_text(const FindingPlace& place) {
-  std::string text = place.path;
-  if (place.line > 0) text += fmt::format(":{}", place.line);
-  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
-  return text;
-}
-
-std::string summary_of(const FindingReport& report) {
-  const FindingCounts counts = count(report);
-  const auto listed = [](const std::vector<std::pair<std::size_t, std::string_view>>& numbers) {
-    std::vector<std::string> parts;
-    for (const auto& [number, words] : numbers) {
-      if (number > 0) parts.push_back(counted(number, words));
-    }
-    return fmt::format("{}", fmt::join(parts, ", "));
-  };
-  const std::string found =
-      listed({{counts.errors, "errors"}, {counts.warnings, "warnings"}, {counts.notes, "notes"}});
-  const std::string set_aside = listed({{counts.suppressed, "suppressed"}, {counts.known, "known"}});
-  return fmt::format("{} {}: {} in {}{}", report.command, passes(report) ? "passed" : "failed",
-                     found.empty() ? "nothing found" : found, counted(report.checked, report.checked_words),
-                     set_aside.empty() ? "" : "; " + set_aside);
 }
 
 const FindingRule* rule_of(const FindingReport& report, const Finding& finding) {

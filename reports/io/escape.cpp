@@ -1,10 +1,7 @@
 #include "reports/io/escape.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 
 #include "reports/io/joined.hpp"
@@ -78,6 +75,10 @@ std::string for_gnuplot(const OthersText& text) {
   return with_escapes(for_terminal(text), std::array<Escape, 0>{}, R"(\^_{}@&~)");
 }
 
+std::string gnuplot_quoted(std::string_view text) {
+  return "'" + with_escapes(text, std::array<Escape, 1>{{{'\'', R"('."\047".')"}}}) + "'";
+}
+
 std::string for_comment(const OthersText& text) {
   std::string out = for_terminal(text);
   out.erase(out.find_last_not_of(' ') + 1);
@@ -97,23 +98,8 @@ std::string for_csv(const OthersText& text) {
 }
 
 std::string json_text(const nlohmann::ordered_json& json) {
-  const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  std::string out;
-  const auto add_unit = [&](char32_t unit) { out += fmt::format("\\u{:04x}", static_cast<unsigned>(unit)); };
-  for (std::string_view rest = text; !rest.empty();) {
-    const CodePoint point = first_code_point(rest);
-    const std::size_t length = std::max<std::size_t>(point.length, 1);
-    if (point.value == '\n' || !is_unshown(point.value)) {
-      out += rest.substr(0, length);
-    } else if (point.value <= 0xFFFF) {  // in a text: elsewhere JSON has ASCII, and `dump` escapes controls
-      add_unit(point.value);
-    } else {
-      add_unit(0xD7C0 + (point.value >> 10));
-      add_unit(0xDC00 + (point.value & 0x3FF));
-    }
-    rest.remove_prefix(length);
-  }
-  return out;
+  constexpr bool is_ascii = true;
+  return json.dump(2, ' ', is_ascii, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace shadefit

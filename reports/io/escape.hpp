@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "fit/support/others_text.hpp"
 
@@ -21,8 +22,12 @@ std::string for_html(const OthersText& text);
 /// For words of LaTeX, or a field of BibTeX in braces. Other UTF-8 is left as it is.
 std::string for_latex(const OthersText& text);
 
-/// For gnuplot's enhanced text, which still has to be quoted (reports/io/gnuplot_text.hpp).
+/// For gnuplot's enhanced text, which still has to be quoted.
 std::string for_gnuplot(const OthersText& text);
+
+/// A text as gnuplot's expression for it. In single quotes only the quote is special. gnuplot 5.4 misreads
+/// two quotes at the start or in the middle, so each quote becomes a separate string.
+std::string gnuplot_quoted(std::string_view text);
 
 /// For a comment to the end of a line: of gnuplot, and of each language of `emit`.
 std::string for_comment(const OthersText& text);
@@ -31,7 +36,7 @@ std::string for_comment(const OthersText& text);
 /// operator, so a ' stands before it (OWASP, CSV Injection).
 std::string for_csv(const OthersText& text);
 
-/// A JSON value as a file or a reader gets it. What is no UTF-8 becomes U+FFFD.
+/// A JSON value as a file or a reader gets it, in ASCII. What is no UTF-8 becomes U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace shadefit

@@ -5,21 +5,28 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <boost/core/noncopyable.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <list>
+#include <string>
 #include <string_view>
 #include <system_error>
 
 #include "fit/support/user_error.hpp"
-#include "reports/io/own_file.hpp"
 
 namespace shadefit {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What tells our pictures from others.
+constexpr std::string_view name_of_ours = "shadefit";
+
+/// A path as in messages.
+std::string quoted_path(const fs::path& path) {
+  return "'" + path.string() + "'";
+}
 
 [[noreturn]] void fail_to(const char* act, const fs::path& place, const std::string& words) {
   throw UserError(fmt::format("cannot {} {}: {}", act, quoted_path(place), words));
@@ -30,52 +37,58 @@ fs::path place_of(const fs::path& directory, const File& file) {
   return directory == "." ? fs::path(file.name) : directory / file.name;
 }
 
-/// A file beside its place. It is removed unless it is put there.
-class NewFile : boost::noncopyable {
- public:
-  NewFile(const fs::path& place, std::size_t number)
-      : place_(place), path_(place.parent_path() / fmt::format(".shadefit-{}-{}", ::getpid(), number)) {}
-  ~NewFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
+/// Writes a file beside its place, with the mode and the owner of the one that is there, and renames it.
+void write_file(const fs::path& place, std::string_view content) {
+  const fs::path beside = place.parent_path() / fmt::format(".shadefit-{}-0", ::getpid());
+  std::FILE* stream = std::fopen(beside.c_str(), "wbx");
+  if (stream == nullptr) fail_to("write", place, std::strerror(errno));
+  bool is_done = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
+  struct stat old {};
+  if (is_done && ::stat(place.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
+    // Only root may change an owner. The mode comes last, because a new owner clears some of its bits.
+    if (::fchown(::fileno(stream), old.st_uid, old.st_gid) != 0) errno = 0;
+    ::fchmod(::fileno(stream), old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
   }
-
-  void write(std::string_view content) const {
-    std::FILE* stream = std::fopen(path_.c_str(), "wbx");
-    if (stream == nullptr) fail_to("write", place_, std::strerror(errno));
-    const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
-    const int write_error = errno;
-    struct stat old {};
-    if (::stat(place_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
-      // Only root may change an owner. The mode comes last, because a new owner clears some of its bits.
-      if (::fchown(::fileno(stream), old.st_uid, old.st_gid) != 0) errno = 0;
-      ::fchmod(::fileno(stream), old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
-    }
-    const bool is_closed = std::fclose(stream) == 0;
-    if (!is_written || !is_closed) fail_to("write", place_, std::strerror(is_written ? errno : write_error));
+  int fault = errno;
+  if (std::fclose(stream) != 0 && is_done) {
+    fault = errno;
+    is_done = false;
   }
+  if (is_done && std::rename(beside.c_str(), place.c_str()) == 0) return;
+  if (is_done) fault = errno;
+  ::unlink(beside.c_str());
+  fail_to("write", place, std::strerror(fault));
+}
 
-  void put() const {
-    std::error_code error;
-    fs::rename(path_, place_, error);
-    if (error) fail_to("write", place_, error.message());
-  }
+/// The beginning of a file in every version: its first line. For JSON, whose first line is a bracket, its
+/// first two fields without the value of the second.
+std::string_view beginning_of(std::string_view text) {
+  if (!text.starts_with('{')) return text.substr(0, text.find('\n'));
+  return text.substr(0, text.find(':', text.find(':') + 1));  // npos + 1 is 0
+}
 
- private:
-  fs::path place_, path_;
-};
+/// Whether shadefit wrote the file at `path` under the name of `file`. Only a regular file can be ours.
+bool is_own(const fs::path& path, const File& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  constexpr std::size_t last = 64;
+  const std::string there = read_file(path);
+  return file.name.ends_with(".svg")
+             ? there.find(name_of_ours, there.size() - std::min(there.size(), last)) != std::string::npos
+             : beginning_of(there) == beginning_of(file.content);
+}
 
 }  // namespace
+
+std::string marked_picture(const std::string& svg) {
+  return svg + "<!-- " + std::string(name_of_ours) + " -->\n";
+}
 
 void require_writable(const fs::path& directory) {
   if (directory.empty()) throw UserError("output directory '' is empty: name a directory");
   std::error_code error;
-  const fs::path whole = fs::absolute(without_detours(directory), error);
-  if (error) {
-    throw UserError(
-        fmt::format("output directory {} is relative to a working directory that cannot be told: {}",
-                    quoted_path(directory), error.message()));
-  }
+  const fs::path whole = fs::absolute(directory, error);
+  if (error) fail_to("create directory", directory, error.message());
   fs::path part = whole;
   fs::file_status status = fs::symlink_status(part, error);
   while (status.type() == fs::file_type::not_found) {
@@ -83,21 +96,17 @@ void require_writable(const fs::path& directory) {
     status = fs::symlink_status(part, error);
   }
   if (!fs::status_known(status)) fail_to("create directory", directory, error.message());
-  const bool is_there = part == whole;
-  if (!fs::is_directory(part, error)) {
-    throw UserError(fmt::format(
-        "output directory {} {}: it must be a directory, or free to become one", quoted_path(directory),
-        is_there ? "is not a directory" : "lies below " + quoted_path(part) + ", which is not a directory"));
-  }
+  if (!fs::is_directory(part, error))
+    fail_to("write to", directory, quoted_path(part) + " is not a directory");
   std::string trial = (part / ".shadefit-XXXXXX").string();
   if (::mkdtemp(trial.data()) == nullptr)
-    fail_to(is_there ? "write to" : "create directory", without_detours(directory), std::strerror(errno));
+    fail_to(part == whole ? "write to" : "create directory", directory, std::strerror(errno));
   ::rmdir(trial.c_str());
 }
 
 void require_own(const fs::path& directory, const std::vector<File>& files) {
   for (const File& file : files) {
-    const fs::path place = place_of(without_detours(directory), file);
+    const fs::path place = place_of(directory, file);
     std::error_code error;
     if (!fs::exists(fs::symlink_status(place, error)) || is_own(place, file)) continue;
     const bool is_empty = fs::is_regular_file(place, error) && fs::file_size(place, error) == 0;
@@ -107,20 +116,16 @@ void require_own(const fs::path& directory, const std::vector<File>& files) {
   }
 }
 
-void write_files(const fs::path& named, const std::vector<File>& files) {
-  require_writable(named);
-  const fs::path directory = without_detours(named);
-  std::list<NewFile> written;
+void write_files(const fs::path& directory, const std::vector<File>& files) {
+  require_writable(directory);
   for (const File& file : files) {
-    const fs::path place = place_of(directory, file), folder = (directory / file.name).parent_path();
+    const fs::path folder = (directory / file.name).parent_path();
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) fail_to("create directory", folder, error.message());
-    if (written.empty()) remove_leftovers(folder);
-    if (fs::is_directory(place, error)) fail_to("write", place, "it is a directory");
-    written.emplace_back(place, written.size()).write(file.content);
+    if (&file == &files.front()) remove_leftovers(folder);
+    write_file(place_of(directory, file), file.content);
   }
-  for (const NewFile& file : written) file.put();
 }
 
 void remove_leftovers(const fs::path& directory) {
@@ -139,7 +144,7 @@ void remove_leftovers(const fs::path& directory) {
 
 void remove_own(const fs::path& directory, const std::vector<File>& files) {
   for (const File& file : files) {
-    const fs::path place = place_of(without_detours(directory), file);
+    const fs::path place = place_of(directory, file);
     std::error_code error;
     if (is_own(place, file) && !fs::remove(place, error)) fail_to("remove", place, error.message());
   }

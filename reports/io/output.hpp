@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "reports/io/files.hpp"
@@ -12,13 +13,17 @@ namespace shadefit {
 /// first directory above it that does. So long work can be refused before it starts.
 void require_writable(const std::filesystem::path& directory);
 
-/// Throws UserError if a file would replace one that shadefit did not write (not `is_own`).
+/// Throws UserError if a file would replace one that shadefit did not write. A picture of ours is marked
+/// (`marked_picture`). Any other file of ours begins like the new one: with the same first line, or for JSON
+/// with the same first two fields.
 void require_own(const std::filesystem::path& directory, const std::vector<File>& files);
 
+/// A picture as gnuplot drew it with our name near its end.
+std::string marked_picture(const std::string& svg);
+
 /// Writes the files, and the directories that they need. Each is written beside its place, with the mode and,
-/// if the system allows it, the owner of the file that it replaces. When all of them are written, they are
-/// renamed to their places. Throws UserError naming the path and what went wrong. Unless the system refuses
-/// to rename one, all files are written or none.
+/// if the system allows it, the owner of the file that it replaces, and then renamed to its place. Throws
+/// UserError naming the path and what went wrong; the files before that one are written.
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files);
 
 /// Removes the new files that a run was writing in the directory when it was killed: `.shadefit-PID-NUMBER`,

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <boost/core/noncopyable.hpp>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -24,8 +22,7 @@ class ScratchDirectory : boost::noncopyable {
     std::string name = (std::filesystem::temp_directory_path(error) / "shadefit-XXXXXX").string();
     if (error) throw UserError("TMPDIR names no directory for temporary files: " + error.message());
     if (::mkdtemp(name.data()) == nullptr)
-      throw UserError(
-          fmt::format("cannot create a directory for temporary files, '{}': {}", name, std::strerror(errno)));
+      throw UserError("cannot create a directory for temporary files: " + std::string(std::strerror(errno)));
     path_ = name;
   }
   ~ScratchDirectory() {

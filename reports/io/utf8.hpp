@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 /// UTF-8 by RFC 3629, and text that is safe to show on a terminal.
 namespace shadefit {
@@ -42,43 +41,32 @@ inline bool is_unshown(char32_t point) {
                      [&](const auto& range) { return point >= range.first && point <= range.second; });
 }
 
-/// The pieces of a text that a terminal can show: code points, and \xNN for each byte of a code point that
+/// All of a text, such as a path, as a terminal can show it: \xNN for each byte of a code point that
 /// `is_unshown`, and for each byte that is not UTF-8.
-inline std::vector<std::string> printable_pieces(std::string_view text) {
-  std::vector<std::string> pieces;
+inline std::string printable(std::string_view text) {
+  std::string shown;
   while (!text.empty()) {
     const auto [length, value] = first_code_point(text);
-    const bool is_shown = length > 0 && !is_unshown(value);
     const std::string_view point = text.substr(0, std::max<std::size_t>(length, 1));
-    if (is_shown) pieces.emplace_back(point);
-    for (std::size_t i = 0; i < point.size() && !is_shown; ++i)
-      pieces.push_back(fmt::format("\\x{:02x}", static_cast<unsigned char>(point[i])));
+    if (length > 0 && !is_unshown(value)) {
+      shown += point;
+    } else {
+      for (const char c : point) shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
     text.remove_prefix(point.size());
   }
-  return pieces;
+  return shown;
 }
 
-/// All of a text, such as a path, as a terminal can show it.
-inline std::string printable(std::string_view text) {
-  return fmt::format("{}", fmt::join(printable_pieces(text), ""));
-}
-
-/// One line that a terminal can show, the middle of a very long text left out. It is left out before
-/// escaping, because a user's text may have any size.
+/// One line that a terminal can show, the middle of a text of more than 600 bytes left out.
 inline std::string one_line(std::string_view text) {
   constexpr std::size_t longest = 600, half = longest / 2;
-  constexpr std::size_t most_bytes = 4;  // of a piece, so that as many hold at least half of the pieces
-  const bool is_long = text.size() > longest * most_bytes;
-  const auto head = printable_pieces(is_long ? text.substr(0, half * most_bytes) : text);
-  if (!is_long && head.size() <= longest) return fmt::format("{}", fmt::join(head, ""));
-  std::string_view end = text.substr(is_long ? text.size() - half * most_bytes : 0);
-  // Not from the middle of a code point, which has at most three more bytes.
-  for (int i = 0; i < 3 && is_long && first_code_point(end).length == 0; ++i) end.remove_prefix(1);
-  const auto tail = printable_pieces(end);
-  const auto first = head.begin(), last = tail.end();
-  const auto count = static_cast<std::ptrdiff_t>(half);
-  return fmt::format("{} .. {}", fmt::join(first, first + count, ""),
-                     fmt::join(last - std::min(count, last - tail.begin()), last, ""));
+  if (text.size() <= longest) return printable(text);
+  const auto is_inside_a_code_point = [&](std::size_t i) { return (text[i] & 0xC0) == 0x80; };
+  std::size_t head = half, tail = text.size() - half;
+  while (head > 0 && is_inside_a_code_point(head)) --head;
+  while (tail < text.size() && is_inside_a_code_point(tail)) ++tail;
+  return printable(text.substr(0, head)) + " .. " + printable(text.substr(tail));
 }
 
 }  // namespace shadefit

@@ -5,14 +5,13 @@
 
 #include "fit/input/json_document.hpp"
 #include "fit/support/hex_float.hpp"
-#include "reports/io/digest.hpp"
-#include "reports/io/own_fields.hpp"
+#include "reports/io/own_json.hpp"
 #include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = OwnJson;
 
 constexpr const char* kind_of_file = "shadefit certificate";
 
@@ -37,45 +36,68 @@ Json surface_json(const Surface& surface) {
 const std::vector<std::pair<std::string_view, Origin>> origins{{name(Origin::horizon), Origin::horizon},
                                                                {name(Origin::peak), Origin::peak}};
 
-Surface read_surface(const OwnFields& fields) {
-  if (fields.field("surface").is_null()) return {};
-  const OwnFields surface = fields.inner("surface");
-  if (fields.field("surface").contains("f0")) {
-    Surface any;
-    any.f0 = surface.number("f0");
-    return any;
+Surface read_surface(const Json& json) {
+  Surface surface;
+  if (json.is_null()) return surface;
+  if (json.contains("f0")) {
+    surface.f0 = own_number(json.at("f0"));
+    return surface;
   }
-  return {surface.choice<Surface::Formula>(
-              "formula", {{"exact", Surface::Formula::exact}, {"schlick", Surface::Formula::schlick}}),
-          surface.number("ior"), surface.number("extinction"), std::nullopt};
+  return {own_choice<Surface::Formula>(json.at("formula"), {{"exact", Surface::Formula::exact},
+                                                            {"schlick", Surface::Formula::schlick}}),
+          own_number(json.at("ior")), own_number(json.at("extinction")), std::nullopt};
 }
 
-Subject read_subject(const OwnFields& fields) {
+Subject read_subject(const Json& json) {
   Subject subject;
-  subject.family = fields.text("family");
-  subject.parameters = fields.members("parameters");
-  subject.setting.exponent = fields.field("exponent").is_null() ? 0 : fields.number("exponent");
-  subject.setting.surface = read_surface(fields);
-  subject.error = fields.choice("error", named_errors);
-  std::tie(subject.domain.lower, subject.domain.upper) = fields.interval("domain");
+  subject.family = json.at("family");
+  subject.parameters = own_members(json.at("parameters"));
+  const Json& exponent = json.at("exponent");
+  subject.setting.exponent = exponent.is_null() ? 0 : own_number(exponent);
+  subject.setting.surface = read_surface(json.at("surface"));
+  subject.error = own_choice(json.at("error"), named_errors);
+  std::tie(subject.domain.lower, subject.domain.upper) = own_interval(json.at("domain"));
   return subject;
 }
 
-CurveShape read_curve(const OwnFields& fields) {
+CurveShape read_curve(const Json& proven) {
   CurveShape curve;
-  for (const std::string& text : fields.texts("proven")) {
+  for (const Json& item : proven) {
+    const auto text = item.get<std::string>();
     if (text == "falls with the angle" || text == "rises with the angle") {
-      if (curve.trend != Trend::none) fields.fail("proven", "says twice how the form goes with the angle");
+      if (curve.trend != Trend::none)
+        throw std::invalid_argument("'proven' says twice how the form goes with the angle");
       curve.trend = text.starts_with("falls") ? Trend::falls : Trend::rises;
     } else if (text == "non-negative") {
       curve.is_non_negative = true;
     } else if (text == "at most 1") {
       curve.is_at_most_one = true;
     } else {
-      fields.fail("proven", "is unknown: '" + text + "'");
+      throw std::invalid_argument("'" + text + "' is unknown");
     }
   }
   return curve;
+}
+
+ReadCertificate<Certificate> certificate_of(const Json& json) {
+  require_kind(json, kind_of_file, certificate_schema);
+  ReadCertificate<Certificate> result{.refused = fault_of_digest(json)};
+  Certificate& certificate = result.certificate;
+  certificate.subject = read_subject(json);
+  certificate.target = json.at("target");
+  certificate.form = json.at("form");
+  std::tie(certificate.lower, certificate.upper) = own_interval(json.at("largest"));
+  const Json& attained = json.at("attained");
+  certificate.attained = {own_choice(attained.at("of"), origins), own_number(attained.at("at"))};
+  for (const Json& place : json.at("places"))
+    certificate.places.push_back(
+        {own_choice(place.at("of"), origins), own_number(place.at("from")), own_number(place.at("to"))});
+  certificate.curve = read_curve(json.at("proven"));
+  certificate.precision = own_whole(json.at("precision"));
+  certificate.horizon = own_numbers(json.at("boxes_in_c"));
+  certificate.peak = own_numbers(json.at("boxes_in_1_minus_c"));
+  require_written_as(json, write_certificate_json(certificate));
+  return result;
 }
 
 }  // namespace
@@ -120,26 +142,7 @@ std::string certificate_text(const Certificate& certificate) {
 ReadCertificate<Certificate> read_certificate(const std::string& text, const std::string& name) {
   const std::string file = "certificate '" + name + "'";
   const Json json = parse_own_json(text, file);
-  const OwnFields fields(json, file);
-  fields.require_kind(kind_of_file, certificate_schema);
-  ReadCertificate<Certificate> result{.refused = fields.fault_of_digest()};
-  Certificate& certificate = result.certificate;
-  certificate.subject = read_subject(fields);
-  certificate.target = fields.text("target");
-  certificate.form = fields.text("form");
-  std::tie(certificate.lower, certificate.upper) = fields.interval("largest");
-  const OwnFields attained = fields.inner("attained");
-  certificate.attained = {attained.choice("of", origins), attained.number("at")};
-  for (const Json& item : fields.list("places")) {
-    const OwnFields place = fields.item(item);
-    certificate.places.push_back({place.choice("of", origins), place.number("from"), place.number("to")});
-  }
-  certificate.curve = read_curve(fields);
-  certificate.precision = fields.whole("precision");
-  certificate.horizon = fields.numbers("boxes_in_c");
-  certificate.peak = fields.numbers("boxes_in_1_minus_c");
-  fields.require_written_as(write_certificate_json(certificate));
-  return result;
+  return read_own(file, [&] { return certificate_of(json); });
 }
 
 }  // namespace shadefit

@@ -99,22 +99,20 @@ std::string write_latex_tables(const Results& results) {
   return out;
 }
 
-std::vector<NamedTable> plain_tables(const Results& results) {
-  return {{"normalization.csv", normalisation_table(results.normalisations)},
-          {"reflectance.csv", reflectance_table(results.reflectances)},
-          {"fresnel.csv", fresnel_table(results.fresnel_chain)},
-          {"claims.csv", claims_table(results.claims)},
-          {"better.csv", comparisons_table(results.comparisons, Precision::report)}};
+std::vector<File> table_files(const Results& results) {
+  const auto csv = [](const Table& table) { return write_csv(table, Precision::report); };
+  return {{"fits.csv", csv(fits_table(results.refits).table)},
+          {"normalization.csv", csv(normalisation_table(results.normalisations))},
+          {"reflectance.csv", csv(reflectance_table(results.reflectances))},
+          {"fresnel.csv", csv(fresnel_table(results.fresnel_chain))},
+          {"claims.csv", csv(claims_table(results.claims))},
+          {"better.csv", csv(comparisons_table(results.comparisons, Precision::report))}};
 }
 
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
-  std::vector<File> tables{{"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)}};
-  for (const auto& [file, table] : plain_tables(results))
-    tables.push_back({file, write_csv(table, Precision::report)});
-  std::ranges::sort(tables, {}, &File::name);
   std::vector<File> files{{"report.md", write_report(results, figures)},
                           {"summary.md", write_summary(results)}};
-  files.insert(files.end(), tables.begin(), tables.end());
+  for (const File& table : table_files(results)) files.push_back(table);
   files.push_back({"tables.tex", write_latex_tables(results)});
   return files;
 }

@@ -22,14 +22,8 @@ std::string write_summary(const Results& results);
 /// The summary, the normalisations and the claims as LaTeX tables.
 std::string write_latex_tables(const Results& results);
 
-/// A table of a run and its file.
-struct NamedTable {
-  const char* file;
-  Table table;
-};
-
-/// The tables of a run that are compared with a baseline as text: all but fits.csv.
-std::vector<NamedTable> plain_tables(const Results& results);
+/// The tables of a run that are compared with a baseline.
+std::vector<File> table_files(const Results& results);
 
 /// The files of `shadefit run` without plots/: report.md, summary.md, better.csv, claims.csv, fits.csv,
 /// fresnel.csv, normalization.csv, reflectance.csv, tables.tex.

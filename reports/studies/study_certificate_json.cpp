@@ -3,14 +3,13 @@
 #include <tuple>
 
 #include "fit/input/json_document.hpp"
-#include "reports/io/digest.hpp"
-#include "reports/io/own_fields.hpp"
+#include "reports/io/own_json.hpp"
 #include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = OwnJson;
 
 constexpr const char* kind_of_study_file = "shadefit certificate of a study";
 
@@ -20,29 +19,37 @@ Json definitions_json(const std::vector<StudyDefinition>& definitions) {
   });
 }
 
-std::vector<StudyDefinition> read_definitions(const OwnFields& fields) {
-  std::vector<StudyDefinition> definitions;
-  for (const Json& item : fields.list("let")) {
-    const OwnFields one = fields.item(item);
-    definitions.push_back({one.text("name"), one.texts("of"), one.text("is")});
-  }
-  return definitions;
+StudySubject read_study_subject(const Json& json) {
+  StudySubject subject;
+  Study& study = subject.study;
+  study.target = json.at("target");
+  study.form = json.at("form");
+  study.weight = json.at("weight");
+  study.error = own_choice(json.at("error"), named_errors);
+  for (const Json& let : json.at("let"))
+    study.definitions.push_back({let.at("name"), let.at("of"), let.at("is")});
+  for (const auto& [name, value] : own_members(json.at("given"))) study.given.emplace(name, value);
+  for (const Json& range : json.at("over"))
+    study.over.push_back({range.at("variable"), range.at("from"), range.at("to")});
+  subject.parameters = own_members(json.at("parameters"));
+  return subject;
 }
 
-StudySubject read_study_subject(const OwnFields& fields) {
-  StudySubject subject;
-  subject.study.target = fields.text("target");
-  subject.study.form = fields.text("form");
-  subject.study.weight = fields.text("weight");
-  subject.study.error = fields.choice("error", named_errors);
-  subject.study.definitions = read_definitions(fields);
-  for (const auto& [name, value] : fields.members("given")) subject.study.given.emplace(name, value);
-  for (const Json& item : fields.list("over")) {
-    const OwnFields range = fields.item(item);
-    subject.study.over.push_back({range.text("variable"), range.text("from"), range.text("to")});
+ReadCertificate<StudyCertificate> study_certificate_of(const Json& json) {
+  require_kind(json, kind_of_study_file, study_certificate_schema);
+  ReadCertificate<StudyCertificate> result{.refused = fault_of_digest(json)};
+  StudyCertificate& certificate = result.certificate;
+  certificate.subject = read_study_subject(json);
+  for (const Json& range : json.at("over")) {
+    const auto [lower, upper] = own_interval(range.at("doubles"));
+    certificate.ranges.push_back({lower, upper});
   }
-  subject.parameters = fields.members("parameters");
-  return subject;
+  std::tie(certificate.lower, certificate.upper) = own_interval(json.at("largest"));
+  certificate.attained = own_numbers(json.at("attained"));
+  certificate.precision = own_whole(json.at("precision"));
+  certificate.boxes = json.at("boxes");
+  require_written_as(json, write_study_certificate_json(certificate));
+  return result;
 }
 
 }  // namespace
@@ -85,21 +92,7 @@ bool is_study_certificate(const std::string& text, const std::string& name) {
 ReadCertificate<StudyCertificate> read_study_certificate(const std::string& text, const std::string& name) {
   const std::string file = "certificate '" + name + "'";
   const Json json = parse_own_json(text, file);
-  const OwnFields fields(json, file);
-  fields.require_kind(kind_of_study_file, study_certificate_schema);
-  ReadCertificate<StudyCertificate> result{.refused = fields.fault_of_digest()};
-  StudyCertificate& certificate = result.certificate;
-  certificate.subject = read_study_subject(fields);
-  for (const Json& item : fields.list("over")) {
-    const auto [lower, upper] = fields.item(item).interval("doubles");
-    certificate.ranges.push_back({lower, upper});
-  }
-  std::tie(certificate.lower, certificate.upper) = fields.interval("largest");
-  certificate.attained = fields.numbers("attained");
-  certificate.precision = fields.whole("precision");
-  certificate.boxes = fields.text("boxes");
-  fields.require_written_as(write_study_certificate_json(certificate));
-  return result;
+  return read_own(file, [&] { return study_certificate_of(json); });
 }
 
 }  // namespace shadefit

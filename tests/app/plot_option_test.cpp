@@ -16,19 +16,16 @@ using testing::expect_refusal;
 using testing::fake_gnuplot;
 using testing::TemporaryDirectory;
 
-TEST(PlotOption, DrawsEachKindOfPictureTheSameEachTime) {
+TEST(PlotOption, DrawsTheSameEachTime) {
   if (!find_gnuplot()) return;
   const TemporaryDirectory directory;
-  for (const auto& [name, start] : {std::pair{"a.svg", "<?xml"}, {"a.pdf", "%PDF-"}, {"a.png", "\x89PNG"}}) {
-    const std::vector<std::string> call{"fit",    "fresnel-quadratic", "--norm", "minimax",
-                                        "--plot", directory / name};
-    const Outcome first = run_command_line(call);
-    EXPECT_EQ(first.exit_code, 0) << first.err;
-    const std::string picture = read_file(directory / name);
-    EXPECT_TRUE(picture.starts_with(start)) << name;
-    EXPECT_EQ(run_command_line(call).exit_code, 0) << "a picture of ours is replaced";
-    EXPECT_TRUE(read_file(directory / name) == picture) << name;
-  }
+  const std::string file = directory / "a.svg";
+  const std::vector<std::string> call{"fit", "fresnel-quadratic", "--norm", "minimax", "--plot", file};
+  EXPECT_EQ(run_command_line(call).exit_code, 0);
+  const std::string picture = read_file(file);
+  EXPECT_TRUE(picture.starts_with("<?xml"));
+  EXPECT_EQ(run_command_line(call).exit_code, 0) << "a picture of ours is replaced";
+  EXPECT_TRUE(read_file(file) == picture);
 }
 
 TEST(PlotOption, DrawsAComparison) {
@@ -60,8 +57,7 @@ TEST(PlotOption, SaysWhichFileItWroteAndElseTheSame) {
 TEST(PlotOption, RefusesWhatItCannotDraw) {
   const TemporaryDirectory directory;
   const EnvironmentVariable path("PATH", directory / "bin");
-  expect_refusal({"fit", "fresnel-one-term", "--plot", "a.jpg"},
-                 "--plot 'a.jpg' must end with .svg, .pdf or .png");
+  expect_refusal({"fit", "fresnel-one-term", "--plot", "a.pdf"}, "--plot 'a.pdf' must end with .svg");
   expect_refusal({"fit", "fresnel-one-term", "--plot", "a.svg"},
                  "--plot 'a.svg' needs gnuplot: install the package gnuplot-nox");
   const std::string nowhere = directory / "no/folder";

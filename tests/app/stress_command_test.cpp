@@ -64,7 +64,8 @@ TEST(SlowTables, AreComparedCellByCell) {
   const std::string header = "topic,name,format,worst_ulps\n";
   directory.file("stress.csv", header + "lobe,power_lobe,half,2^24\n");
   const auto compare_with = [&](const std::string& rows) {
-    return compare_files(read_tables(directory.path(), {"stress.csv"}), {{"stress.csv", header + rows}});
+    return compare_files(read_tables(directory.path(), {"stress.csv"}), {{"stress.csv", header + rows}})
+        .drifts;
   };
   EXPECT_TRUE(compare_with("lobe,power_lobe,half,2^24\n").empty());
   const auto drifts = compare_with("lobe,power_lobe,half,2^25\n");
@@ -77,7 +78,6 @@ TEST(SlowTables, AreComparedCellByCell) {
   EXPECT_THROW(compare_files(read_tables(directory.path(), {"stress.csv"}), {{"stress.csv", "topic,name\n"}}),
                UserError)
       << "other columns";
-  EXPECT_EQ(count_cells(std::vector<File>{{"stress.csv", header + "a,b,c,d\n"}}), 4U);
 }
 
 TEST(SlowTables, StandInTheirFolderOfTheBaseline) {

@@ -13,18 +13,53 @@
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "reports/rows/certificate_json.hpp"
-#include "tests/reports/certificate_cases.hpp"
 #include "tests/reports/json_mutants.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
-using testing::certified_subjects;
 using testing::for_each_mutant;
 using testing::signed_text;
 using testing::TemporaryDirectory;
 using Json = nlohmann::ordered_json;
+
+/// Certificates of every family, every kind of target and error.
+std::vector<Subject> certified_subjects() {
+  const auto lobe = [](const char* family, std::vector<std::pair<std::string, std::string>> parameters,
+                       double exponent, Error error = Error::absolute) {
+    return Subject{family, std::move(parameters), exponent, error, {}};
+  };
+  const auto fresnel = [](const char* family, std::vector<std::pair<std::string, std::string>> parameters,
+                          const Surface& surface = {}, Error error = Error::absolute, Domain domain = {}) {
+    return Subject{family, std::move(parameters), {0, surface}, error, domain};
+  };
+  Surface any;
+  any.f0 = 0.25;
+  const std::vector<std::pair<std::string, std::string>> pair{{"a", "-5.55473"}, {"b", "-6.98316"}};
+  return {
+      lobe("sg-offset", {{"x", "0.788"}}, 5),
+      lobe("sg-offset", {{"x", "0x1.8p-1"}}, 37.5, Error::relative),
+      lobe("sg-offset", {{"x", "0.25"}}, 0.5),
+      lobe("phong-blinn", {{"x", "0x1.1412ab55349fap+2"}}, 5),
+      lobe("sg-scaled", {{"A", "0x1.0c1a98e3a849fp+0"}, {"x", "0.5"}}, 5),
+      fresnel("fresnel-quadratic", pair),
+      fresnel("fresnel-quadratic", pair, any, Error::relative),
+      fresnel("fresnel-quadratic", pair, exact_surface(0.6667)),
+      fresnel("fresnel-quadratic", pair, exact_surface(0.25, 3.5), Error::relative),
+      fresnel("fresnel-one-term", {{"A", "8.35"}}, exact_surface(1.5)),
+      fresnel(
+          "fresnel-cubic",
+          {{"a", "-0x1.6129b66fcbd1p+2"}, {"b", "-0x1.58644bc7daaf8p+1"}, {"d", "-0x1.d1cc69e9c9c99p+2"}}),
+      fresnel("fresnel-quartic", {{"a", "-0x1.af43f25b74f6ep+2"},
+                                  {"b", "0x1.8f67217b7a49ep-3"},
+                                  {"d", "-0x1.0389d83629f51p+2"},
+                                  {"g", "-0x1.cc43ddf0fa925p+2"}}),
+      fresnel("fresnel-fourth", {{"s", "0.9"}}, schlick_surface(1.5), Error::relative),
+      fresnel("fresnel-square", {{"a", "0x1.1999999999999p+1"}, {"b", "-0x1.6eeeeeeeeeeefp+1"}}),
+      fresnel("fresnel-rational", {{"a", "1.27"}}, schlick_surface(1.33), Error::absolute, {0.25, 0.75}),
+  };
+}
 
 /// Relative, of the bounds: few boxes.
 constexpr double wide = 0.1;
@@ -122,65 +157,21 @@ std::string falsehood(const Certificate& certificate) {
   return "";
 }
 
-// Every way to change a certificate.
-
-std::vector<Json> other_numbers(const std::string& text) {
-  std::vector<Json> others{"0x0p+0", "0x1p+0", "0x1p+1023", "nan", ""};
-  const double value = value_of(text);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double other : {-value, 2 * value, value / 2, 1 - value, 0.99 * value, 1.01 * value,
-                             std::nextafter(value, -infinity), std::nextafter(value, infinity)})
-    others.emplace_back(hex_text(other));
-  // Some digits, the first and the last among them; and digits more than a double has.
-  const bool is_hex = text.find("0x") != std::string::npos;
-  const std::size_t first = is_hex ? text.find('x') + 1 : 0, end = std::min(text.find('p'), text.size());
-  for (std::size_t i = first; i < end; i += i + 1 == end ? 1 : std::min<std::size_t>(4, end - 1 - i)) {
-    std::string other = text;
-    const auto digit = std::string("0123456789abcdef").find(text[i]);
-    if (digit == std::string::npos) continue;
-    other[i] = "1032547698badcfe"[digit];
-    others.emplace_back(other);
-  }
-  others.emplace_back(text.substr(0, end) + (text.find('.') == std::string::npos ? "." : "") +
-                      "7fffffffffffff" + text.substr(end));
-  return others;
-}
-
-std::vector<Json> other_words(const std::string& text) {
-  std::vector<Json> others{"absolute",
-                           "relative",
-                           "exact",
-                           "schlick",
-                           "c",
-                           "1 - c",
-                           "falls with the angle",
-                           "rises with the angle",
-                           "non-negative",
-                           "at most 1",
-                           "(1 - c)^5",
-                           "c^k",
-                           "",
-                           1};
+/// Other values of a certificate of a family.
+std::vector<Json> others_of_family(const Json& value) {
+  std::vector<std::string> words{
+      "exact",     "schlick",   "1 - c", "falls with the angle", "rises with the angle", "non-negative",
+      "at most 1", "(1 - c)^5", "c^k"};
   for (const FittableFamily& family : fittable_families().first(3)) {
-    others.emplace_back(family.info.id);
-    others.emplace_back(to_text(family.form()));
+    words.emplace_back(family.info.id);
+    words.push_back(to_text(family.form()));
   }
-  others.emplace_back(text + " ");
+  std::vector<Json> others = testing::others_of(value, words);
+  if (!value.is_null()) return others;
+  others.push_back({{"f0", "0x1p-2"}});
+  for (const char* formula : {"schlick", "exact"})
+    others.push_back({{"formula", formula}, {"ior", "0x1.8p+0"}, {"extinction", "0x0p+0"}});
   return others;
-}
-
-std::vector<Json> others_of(const Json& value) {
-  if (value.is_null())
-    return {"0x1.4p+2", Json{{"f0", "0x1p-2"}},
-            Json{{"formula", "schlick"}, {"ior", "0x1.8p+0"}, {"extinction", "0x0p+0"}},
-            Json{{"formula", "exact"}, {"ior", "0x1.8p+0"}, {"extinction", "0x0p+0"}}};
-  if (value.is_number()) {
-    const auto n = value.get<std::int64_t>();
-    return {0, -1, n + 1, n + (std::int64_t{1} << 32), -n, 1.5, std::to_string(n), nullptr};
-  }
-  if (!value.is_string()) return {nullptr, Json::array(), Json::object(), 7};
-  const auto text = value.get<std::string>();
-  return parse_hex(text) || parse_number(text) ? other_numbers(text) : other_words(text);
 }
 
 /// Each changed certificate with a new digest is refused, or it is true.
@@ -191,7 +182,7 @@ TEST(CertificateMutation, NoFalseStatementIsAccepted) {
     const Json json = write_certificate_json(truth);
     ASSERT_EQ(falsehood(truth), "") << label(truth);
     ASSERT_EQ(reason_to_refuse(truth), "") << label(truth);
-    for_each_mutant(json, others_of, [&](const Json& mutant, const std::string& where) {
+    for_each_mutant(json, others_of_family, [&](const Json& mutant, const std::string& where) {
       try {
         const Certificate read = read_certificate(signed_text(mutant), "f").certificate;
         if (reason_to_refuse(read).empty()) {

@@ -1,15 +1,16 @@
-#include "reports/io/escape.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <boost/locale/encoding_utf.hpp>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "reports/io/escape.hpp"
 #include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
 #include "reports/table/table.hpp"
 
 namespace shadefit {
@@ -56,12 +57,12 @@ TEST(Escape, ATextHasNoMeaningInItsPlace) {
   }
 }
 
-TEST(Escape, JsonReadsBackAndHasNoCharacterThatIsNotShown) {
+TEST(Escape, JsonReadsBackAndIsAscii) {
   const std::string text = "\x1b\x7f\u0085\u202e\U000e0041 é \"\\";
   const std::string json = json_text({{"a", OthersText(text)}, {"b", "\xff"}});
   EXPECT_EQ(
       json,
-      "{\n  \"a\": \"\\u001b\\u007f\\u0085\\u202e\\udb40\\udc41 é \\\"\\\\\",\n  \"b\": \"\uFFFD\"\n}\n");
+      "{\n  \"a\": \"\\u001b\\u007f\\u0085\\u202e\\udb40\\udc41 \\u00e9 \\\"\\\\\",\n  \"b\": \"\\ufffd\"\n}\n");
   EXPECT_EQ(nlohmann::json::parse(json)["a"], text);
 }
 
@@ -84,6 +85,60 @@ TEST(Escape, FewFilesReadTextOfOthersUnescaped) {
     }
   }
   EXPECT_EQ(found, allowed);
+}
+
+std::string encoded(char32_t point) {
+  const std::u32string_view text(&point, 1);
+  return boost::locale::conv::utf_to_utf<char>(text.data(), text.data() + text.size());
+}
+
+TEST(Utf8, TakesNothingThatIsNoCodePoint) {
+  for (const char* whole : {"a", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
+    EXPECT_EQ(first_code_point(whole).length, std::string(whole).size());
+  for (const char* not_one : {"", "\xC3",
+                              "\xC3"
+                              "a",
+                              "\xA9", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFF"})
+    EXPECT_EQ(first_code_point(not_one).length, 0U) << not_one;
+}
+
+// What can end or turn a line, or has no width, by Unicode's names for it; everything beside them is shown.
+TEST(Utf8, WhatCouldForgeALineIsEscaped) {
+  for (const char32_t point :
+       {0x00U,   0x1BU,   0x7FU,   0x85U,   0x9BU,   0xADU,   0x061CU, 0x180EU,  0x200BU, 0x200CU, 0x200DU,
+        0x200EU, 0x200FU, 0x2028U, 0x2029U, 0x202AU, 0x202BU, 0x202CU, 0x202DU,  0x202EU, 0x2060U, 0x2066U,
+        0x2067U, 0x2068U, 0x2069U, 0x3164U, 0xFEFFU, 0xFFF9U, 0xFFFBU, 0xE0001U, 0xE007FU}) {
+    const std::string bytes = encoded(point);
+    const std::string shown = printable("a" + bytes + "b");
+    EXPECT_EQ(shown.size(), 2 + 4 * bytes.size()) << static_cast<unsigned>(point);
+    EXPECT_EQ(shown.find(bytes), std::string::npos) << static_cast<unsigned>(point);
+  }
+  for (const char32_t point : {0x20U, 0x7EU, 0xA0U, 0xACU, 0xAEU, 0xE9U, 0x061BU, 0x061DU, 0x200AU, 0x2010U,
+                               0x2027U, 0x202FU, 0x205FU, 0x2070U, 0x3042U, 0xFF21U, 0x1F600U}) {
+    const std::string bytes = encoded(point);
+    EXPECT_EQ(printable(bytes), bytes) << static_cast<unsigned>(point);
+  }
+}
+
+TEST(Utf8, OneLineShowsNoControlCharacterAndIsBounded) {
+  EXPECT_EQ(one_line("a\x1B[2J\r\n\x7F\xC2\x9B\xFF \xC3\xA9"),
+            "a\\x1b[2J\\x0d\\x0a\\x7f\\xc2\\x9b\\xff \xC3\xA9");
+  EXPECT_EQ(one_line(std::string(600, 'x')), std::string(600, 'x'));
+  EXPECT_EQ(one_line(std::string(301, 'x') + std::string(300, 'y')),
+            std::string(300, 'x') + " .. " + std::string(300, 'y'));
+  const auto repeated = [](const std::string& what, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += what;
+    return text;
+  };
+  const std::string smile = "\xF0\x9F\x98\x80";
+  EXPECT_EQ(one_line(repeated(smile, 1000)), repeated(smile, 75) + " .. " + repeated(smile, 75));
+  EXPECT_EQ(one_line("a" + repeated(smile, 1000) + "b"),
+            "a" + repeated(smile, 74) + " .. " + repeated(smile, 74) + "b")
+      << "no code point is cut";
+  EXPECT_EQ(one_line(repeated("x", 5000) + "\n"), repeated("x", 300) + " .. " + repeated("x", 299) + "\\x0a");
+  EXPECT_EQ(one_line(repeated("\x80", 5000)), " .. ") << "of none but rests of code points nothing is left";
+  EXPECT_EQ(printable(std::string(601, 'x') + "\n"), std::string(601, 'x') + "\\x0a") << "a path is whole";
 }
 
 }  // namespace

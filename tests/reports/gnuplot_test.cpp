@@ -10,16 +10,17 @@
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "tests/fake_gnuplot.hpp"
-#include "tests/reports/stop.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::EnvironmentVariable;
 using testing::fake_gnuplot;
-using testing::Stop;
 using testing::TemporaryDirectory;
 namespace fs = std::filesystem;
+
+/// What a checkpoint throws: a type that is unknown to the tested code.
+struct Stop {};
 
 /// The scratch directories of one test.
 struct Scratch {
@@ -43,32 +44,26 @@ TEST(Gnuplot, IsTheFirstProgramOfThatNameInThePath) {
   fs::create_directories(directory / "a/gnuplot");
   directory.file("b/gnuplot", "not to be run");
   const std::string program = fake_gnuplot(directory, "");
-  const EnvironmentVariable path("PATH", ":" + (directory / "none") + ":" + (directory / "a") + ":" +
+  const EnvironmentVariable path("PATH", ":bin:" + (directory / "none") + ":" + (directory / "a") + ":" +
                                              (directory / "b") + ":" + (directory / "bin"));
-  EXPECT_EQ(find_gnuplot(), program) << "a directory and a file that is not executable are passed over";
+  EXPECT_EQ(find_gnuplot(), program)
+      << "a directory, a file that is not executable and a relative name are passed over";
   fs::remove(program);
   EXPECT_EQ(find_gnuplot(), std::nullopt);
 }
 
 TEST(Gnuplot, DrawsEachPlot) {
   const EnvironmentVariable terminal("GNUTERM", "png");
-  const Pictures pictures = draw(
-      "read line && exit 1; { echo \"$1 $2 $script$GNUTERM\"; echo '</svg>'; } > \"$picture\"", {"a", "b"});
+  const Pictures pictures =
+      draw("read line && exit 1; { echo \"$1 $script$GNUTERM\"; echo '</svg>'; } > \"$picture\"", {"a", "b"});
   EXPECT_TRUE(pictures.failed.empty());
   ASSERT_EQ(pictures.files.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string name(1, "ab"[i]);
     EXPECT_EQ(pictures.files[i].name, "plots/" + name + ".svg");
-    EXPECT_TRUE(pictures.files[i].content.starts_with("-d -e " + name + ".gnuplot\n</svg>\n"))
+    EXPECT_TRUE(pictures.files[i].content.starts_with("-d " + name + ".gnuplot\n</svg>\n"))
         << "no startup file, no inherited terminal, nothing on standard input";
   }
-}
-
-TEST(Gnuplot, NamesOnesThatEndWithPngAsTheyAre) {
-  const Pictures pictures =
-      draw("[ $script = a.gnuplot ] || exit 1\necho 'IEND, and four bytes' > \"$picture\"", {"a.png"});
-  ASSERT_EQ(pictures.files.size(), 1U);
-  EXPECT_EQ(pictures.files[0].name, "plots/a.png");
 }
 
 TEST(Gnuplot, EveryKindOfFailureHasWordsAndLeavesTheOtherPictures) {
@@ -79,9 +74,9 @@ TEST(Gnuplot, EveryKindOfFailureHasWordsAndLeavesTheOtherPictures) {
        std::vector<Case>{{"echo 'b.gnuplot line 2: warning: odd'; echo 'plt x'; echo '^' >&2; "
                           "echo \"$script line 7: no such command\" >&2; exit 3",
                           "b.gnuplot line 7: no such command"},
-                         {"echo; echo '  cannot start'; exit 1", "cannot start"},
+                         {"echo 'cannot start'; echo; exit 1", "cannot start"},
                          {"exit 1", "gnuplot failed and said nothing"},
-                         {"kill -9 $$", "gnuplot was ended: Killed"},
+                         {"kill -9 $$", "gnuplot failed and said nothing"},
                          {"echo '<svg>' > \"$picture\"", "gnuplot left no whole picture"},  // a full disk
                          {"exit 0", "gnuplot left no whole picture"}}) {
     const Pictures pictures = draw(
@@ -91,11 +86,6 @@ TEST(Gnuplot, EveryKindOfFailureHasWordsAndLeavesTheOtherPictures) {
     EXPECT_EQ(pictures.failed[0].complaint, complaint);
     EXPECT_EQ(pictures.files.size(), 2U);
   }
-  EXPECT_EQ(draw("echo '</svg>' > \"$picture\"", {"a.png"}).failed.at(0).complaint,
-            "gnuplot left no whole picture");
-  const TemporaryDirectory directory;
-  EXPECT_EQ(draw_pictures(directory / "none", {{"plots/a.gnuplot", ""}}, {"a"}).failed.at(0).complaint,
-            "No such file or directory");
 }
 
 bool has_children() {

@@ -12,7 +12,6 @@
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/gnuplot.hpp"
-#include "reports/io/gnuplot_text.hpp"
 #include "reports/sections/report.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/reports/all_results.hpp"
@@ -70,7 +69,7 @@ TEST(Plots, EveryFigureHasDataAndAScriptThatReadsIt) {
       read.insert((*match)[1]);
     EXPECT_EQ(read, std::set<std::string>(f.data.columns.begin(), f.data.columns.end())) << f.name;
     EXPECT_NE(f.script.find("'" + f.name + ".csv'"), std::string::npos);
-    EXPECT_NE(f.script.find(": '" + f.name + "') . '.svg'"), std::string::npos);
+    EXPECT_NE(f.script.find("set output '" + f.name + ".svg'"), std::string::npos);
     EXPECT_TRUE(f.caption.ends_with(".")) << f.name;
   }
   const auto files = plot_files(figures);
@@ -87,25 +86,6 @@ void draw(const std::string& call, const testing::TemporaryDirectory& directory)
       testing::runs("cd '" + directory.path().string() + "' && LC_ALL=C.UTF-8 gnuplot -d " + call, directory))
       << read_file(directory / "said");
   EXPECT_EQ(read_file(directory / "said"), "") << call;
-}
-
-TEST(Plots, TheEndingOfTheOutputIsItsKind) {
-  const auto figures = make_figures(all_results());
-  const Figure& offset = figure(figures, "offset");
-  for (const char* terminal : {"pdfcairo", "pngcairo", "svg"})
-    EXPECT_NE(offset.script.find(std::string("set terminal ") + terminal), std::string::npos);
-  if (!find_gnuplot()) return;
-  const testing::TemporaryDirectory directory;
-  for (const File& file : plot_files({offset}))
-    directory.file(file.name.substr(file.name.find('/') + 1), file.content);
-  for (const auto& [name, start] : {std::pair{"x.pdf", "%PDF-"},
-                                    {"x.png", "\x89PNG"},
-                                    {"x.svg", "<?xml"},
-                                    {".x.pdf.7.partial", "<?xml"},
-                                    {"x", "<?xml"}}) {
-    draw(std::string("-e \"output='") + name + "'\" offset.gnuplot", directory);
-    EXPECT_TRUE(read_file(directory / name).starts_with(start)) << name;
-  }
 }
 
 // Every pair of the letters that gnuplot gives a meaning to, at the start, in the middle and at the end.

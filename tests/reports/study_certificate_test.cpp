@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using testing::for_each_mutant;
+using testing::others_of;
 using testing::signed_text;
 
 /// One certificate of each kind: a root at an end and decimals; definitions, given constants and a weight of
@@ -88,34 +88,6 @@ std::string falsehood(const StudyCertificate& certificate) {
   return "";
 }
 
-std::vector<Json> others_of(const Json& value) {
-  if (value.is_number_unsigned()) {
-    const auto n = value.get<std::int64_t>();
-    return {0, -1, n - 1, n + 1, n + (std::int64_t{1} << 32), 1.5, std::to_string(n), nullptr};
-  }
-  if (!value.is_string()) return {nullptr, Json::array(), Json::object(), 7, "x"};
-  const auto text = value.get<std::string>();
-  std::vector<Json> others{"",         "x",        "y",   "c",        "0",
-                           "1",        "0.25",     "-1",  "absolute", "relative",
-                           "acos(x)",  "1 - x",    "nan", "(",        "shadefit certificate",
-                           text + " ", text + ".", 1,     nullptr};
-  for (const char sign : {'.', '1', '2', '3'}) {
-    for (const std::size_t i : {std::size_t{0}, text.size() / 2, text.size() - 1}) {
-      std::string other = text;
-      if (i < text.size()) other[i] = sign;
-      others.emplace_back(other);
-      others.emplace_back(text.substr(0, i) + sign + text.substr(std::min(i, text.size())));
-    }
-  }
-  if (const auto number = parse_hex(text)) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    for (const double other : {-*number, 2 * *number, 0.99 * *number, 1.01 * *number, *number + 1,
-                               std::nextafter(*number, infinity), std::nextafter(*number, -infinity)})
-      others.emplace_back(hex_text(other));
-  }
-  return others;
-}
-
 TEST(StudyCertificate, ReadsBackAsItWasWritten) {
   for (const StudyCertificate& certificate : certificates()) {
     const std::string text = certificate_text(certificate);
@@ -133,9 +105,10 @@ TEST(StudyCertificate, ReadsBackAsItWasWritten) {
 /// Each changed certificate with a new digest is refused, or it is true.
 TEST(StudyCertificate, NoFalseStatementIsAccepted) {
   int refused = 0, accepted = 0;
+  const auto others = [](const Json& value) { return others_of(value, {"y", "acos(x)", "1 - x"}); };
   for (const StudyCertificate& truth : certificates()) {
     const Json json = write_study_certificate_json(truth);
-    for_each_mutant(json, others_of, [&](const Json& mutant, const std::string& where) {
+    for_each_mutant(json, others, [&](const Json& mutant, const std::string& where) {
       try {
         const StudyCertificate read = read_study_certificate(signed_text(mutant), "f").certificate;
         if (!reason_to_refuse(read).empty()) {
