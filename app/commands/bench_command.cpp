@@ -63,20 +63,15 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
   const auto report = bench::bench_files(trade, figures);
   files.insert(files.end(), report.begin(), report.end());
   std::string out;
-  if (options.json) {
-    out = json_text(write_json(bench::bench_table(trade)));
-  } else {
-    if (trade.machine.is_graphics())
-      out = fmt::format("{}, driver {}\n", printable(trade.machine.device), printable(trade.machine.driver));
-    out += write_console(bench::times_table(trade, ""), Precision::report, options.terminal) + "\n";
-    for (const bench::TimedTarget& target : trade.targets)
-      out += fmt::format(
-          "{}\n{}\n", target.title,
-          write_console(bench::times_table(trade, target.id), Precision::report, options.terminal));
-    out.pop_back();  // the next line is an empty one too
-    out += news.out + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) +
-           "\n";
-  }
+  if (trade.machine.is_graphics())
+    out = fmt::format("{}, driver {}\n", printable(trade.machine.device), printable(trade.machine.driver));
+  out += write_console(bench::times_table(trade, ""), Precision::report, options.terminal) + "\n";
+  for (const bench::TimedTarget& target : trade.targets)
+    out +=
+        fmt::format("{}\n{}\n", target.title,
+                    write_console(bench::times_table(trade, target.id), Precision::report, options.terminal));
+  out.pop_back();  // the next line is an empty one too
+  out += news.out + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
   return {news.err.empty() ? 0 : 1, out, news.err, folder.prepare(files, missing, options.force, checkpoint)};
 }
 

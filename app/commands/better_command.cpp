@@ -55,17 +55,15 @@ std::string console_text(const Comparison& comparison, const Terminal& terminal)
 std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options) {
   if (options.csv) return write_csv(comparisons_table(comparisons, Precision::full), Precision::full);
   if (options.json) return json_text_of_each(json_array(comparisons, write_comparison_json));
-  return joined(comparisons, "\n", [&](const Comparison& comparison) {
-    return options.latex ? write_latex(comparison_table(comparison, options.digits), Precision::report)
-                         : console_text(comparison, options.terminal);
-  });
+  return joined(comparisons, "\n",
+                [&](const Comparison& comparison) { return console_text(comparison, options.terminal); });
 }
 
 }  // namespace
 
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (const auto study = chosen_study(options, checkpoint))
-    return with_picture(better_study_command(*study, options, checkpoint, progress), options);
+    return better_study_command(*study, options, checkpoint, progress);
   if (options.id.empty())
     throw UserError(
         "better needs a form, a constant, a study or --form (see 'shadefit list' and 'shadefit help better')");
@@ -86,10 +84,9 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
         compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
     err += not_reached_lines(comparisons.back());
   }
-  const auto put = options.plot ? draw_picture(better_figure(comparisons.front()), *options.plot,
-                                               options.force, checkpoint)
-                                : std::function<void()>();
-  return with_picture({err.empty() ? 0 : 1, comparisons_text(comparisons, options), err, put}, options);
+  return with_picture(
+      {err.empty() ? 0 : 1, comparisons_text(comparisons, options), err}, options,
+      [&] { return better_figure(comparisons.front()); }, checkpoint);
 }
 
 }  // namespace shadefit

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <iterator>
 #include <new>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -63,7 +61,7 @@ Outcome usage_error(const std::string& message, const std::vector<std::string>& 
 /// another command to see.
 Outcome user_error(const UserError& error, const std::vector<std::string>& arguments) {
   const std::string_view message = error.what();
-  const bool is_of_option = message.starts_with("--") || message.starts_with("'--");
+  const bool is_of_option = message.starts_with("--");
   const bool points_elsewhere = message.find("see 'shadefit ") != std::string_view::npos;
   const bool has_command = !arguments.empty() && !arguments.front().starts_with('-');
   const bool is_of_command = has_command && message.starts_with(arguments.front() + " needs ");
@@ -72,58 +70,34 @@ Outcome user_error(const UserError& error, const std::vector<std::string>& argum
   return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
 }
 
-/// Requires values of options, because CLI11 takes the next option as a value; and none of flags, because
-/// CLI11 reads "--json=3" as "--json".
-void require_values(const CLI::App& command, const std::vector<std::string>& arguments) {
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string name = arguments[i].substr(0, arguments[i].find('='));
-    const bool is_open = name == arguments[i] || name.size() + 1 == arguments[i].size();
-    const CLI::Option* option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
-    if (option == nullptr) continue;
-    if (option->get_items_expected_max() == 0 && name != arguments[i])
-      throw UserError(fmt::format("'{}': {} takes no value", arguments[i], name));
-    if (i + 1 == arguments.size()) break;
-    const bool takes_value = option->get_items_expected_min() > 0;
-    if (takes_value && is_open && looks_like_an_option(*option, arguments[i + 1]))
-      throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
-                                  name, arguments[i + 1]));
+/// Refuses values of flags: CLI11 reads "--json=3" as "--json".
+void refuse_values_of_flags(const CLI::App& command, const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (name == argument || !name.starts_with("--")) continue;
+    const CLI::Option* option = command.get_option_no_throw(name);
+    if (option != nullptr && option->get_items_expected_max() == 0)
+      throw UserError(fmt::format("{} takes no value: '{}'", name, argument));
   }
 }
 
-/// Names the first unexpected argument. CLI11 lists them from the last to the first.
-std::string first_unexpected(const std::string& message, const std::vector<std::string>& arguments,
-                             const CLI::App& command) {
-  std::istringstream words(message.substr(message.rfind(": ") + 1));
-  const std::vector<std::string> unexpected{std::istream_iterator<std::string>(words), {}};
-  const auto first =
-      std::find_first_of(arguments.begin(), arguments.end(), unexpected.begin(), unexpected.end());
-  if (first == arguments.end()) return message;
-  if (!first->starts_with("--")) return fmt::format("unexpected argument '{}'", *first);
+/// The first argument that the command does not take.
+std::string unexpected_argument(const std::string& argument, const CLI::App& command) {
+  if (!argument.starts_with("--")) return fmt::format("unexpected argument '{}'", argument);
   std::vector<std::string> options;
   for (const CLI::Option* option : command.get_options()) options.push_back(option->get_name());
-  const auto nearest = nearest_name(*first, options);
-  return fmt::format("unknown option '{}'{}", *first,
+  const auto nearest = nearest_name(argument, options);
+  return fmt::format("unknown option '{}'{}", argument,
                      nearest ? fmt::format(": did you mean '{}'?", *nearest) : "");
 }
 
-/// What the first missing argument is. The message begins with its name.
-std::string first_missing(const std::string& message, const CLI::App& command) {
-  const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(' ')));
-  if (option == nullptr) return message;
-  return fmt::format("{} needs {}: {}", command.get_name(), option->get_type_name(),
-                     option->get_description());
-}
-
-/// The message begins with the name of the option.
-std::string wrong_number(const std::string& message, const CLI::App& command) {
-  const std::string name = message.substr(0, message.find(':'));
-  const CLI::Option* option = command.get_option_no_throw(name);
-  if (option == nullptr) return message;
-  if (option->count() > 1)
-    return fmt::format("{} is given {} times: it takes one value", name, option->count());
-  std::string type = option->get_type_name();
-  for (std::size_t i = 0; (i = type.find('|', i)) != std::string::npos; i += 4) type.replace(i, 1, " or ");
-  return fmt::format("{} needs a value: {}", name, type);
+/// The first required argument that is not there.
+std::string missing_argument(const CLI::App& command) {
+  const auto options = command.get_options();
+  const auto found = std::ranges::find_if(
+      options, [](const CLI::Option* option) { return option->get_required() && option->empty(); });
+  return fmt::format("{} needs {}: {}", command.get_name(), (*found)->get_type_name(),
+                     (*found)->get_description());
 }
 
 /// The command that the arguments name. CLI11 would call a mistyped one an unexpected argument.
@@ -131,20 +105,6 @@ CLI::App& named_command(CLI::App& app, const std::string& name) {
   if (name.starts_with('-')) throw UserError(fmt::format("unexpected argument '{}' before a command", name));
   require_known(name, command_names(app), "command");
   return *app.get_subcommand(name);
-}
-
-/// --range as --over, or as --domain where its value is A:B alone.
-std::vector<std::string> with_range_by_name(std::vector<std::string> arguments, const CLI::App& command) {
-  if (command.get_option_no_throw("--over") == nullptr) return arguments;
-  const std::string name = "--range", with_value = name + "=";
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool has_value = arguments[i].starts_with(with_value);
-    if (!has_value && (arguments[i] != name || i + 1 == arguments.size())) continue;
-    const std::string value = has_value ? arguments[i].substr(with_value.size()) : arguments[i + 1];
-    const bool is_domain = value.find(':') != value.npos && value.find('=') == value.npos;
-    arguments[i].replace(0, name.size(), is_domain ? "--domain" : "--over");
-  }
-  return arguments;
 }
 
 bool asks_for_help(const std::string& argument) {
@@ -162,27 +122,27 @@ Outcome parse_and_run(const std::vector<std::string>& given, const Checkpoint& c
     return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), given);
   const std::string& first = given.front();
   if (first == "--version") return {0, app.version() + "\n", ""};
-  if (first == "--completion" && given.size() == 2) return {0, completion(app, given[1]), ""};
+  if (first == "--completion" && given.size() == 2) {
+    if (given[1] != "bash") throw UserError(fmt::format("--completion '{}' must be bash", given[1]));
+    return {0, bash_completion(app), ""};
+  }
   const bool is_help = first == "help" || asks_for_help(first);
   if (is_help && given.size() == 1) return {0, help_text(app, app), ""};
   if (is_help && given.size() == 2 && !asks_for_help(given[1]))
     return {0, help_text(app, named_command(app, given[1])), ""};
   CLI::App& command = named_command(app, first);
   if (std::ranges::any_of(given, asks_for_help)) return {0, help_text(app, command), ""};
-  const std::vector<std::string> arguments = with_range_by_name(given, command);
-  require_values(command, arguments);
+  refuse_values_of_flags(command, given);
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // in reverse, for CLI11
-  } catch (const CLI::ExtrasError& error) {
-    return usage_error(first_unexpected(error.what(), arguments, command), arguments);
-  } catch (const CLI::RequiredError& error) {
-    return usage_error(first_missing(error.what(), command), arguments);
-  } catch (const CLI::ArgumentMismatch& error) {
-    return usage_error(wrong_number(error.what(), command), arguments);
+    app.parse(std::vector<std::string>(given.rbegin(), given.rend()));  // in reverse, for CLI11
+  } catch (const CLI::RequiredError&) {
+    return usage_error(missing_argument(command), given);
   } catch (const CLI::ParseError& error) {
-    return usage_error(error.what(), arguments);
+    return usage_error(error.what(), given);
   }
-  return call.outcome;
+  if (const auto more = command.remaining(); !more.empty())
+    return usage_error(unexpected_argument(more.front(), command), given);
+  return call.run();
 }
 
 std::string time_is_over(const TimeIsOver& over) {

@@ -37,35 +37,33 @@ namespace {
 std::string failed_lines(const Results& results) {
   if (all_checks_passed(results)) return "";
   std::string err;
+  const auto fail = [&](const std::string& what, const std::string& why) {
+    err += fmt::format("shadefit: {}: {}\n", what, why);
+  };
   for (const Refit& refit : results.refits) err += not_converged_lines(refit);
   for (const FresnelLink& link : results.fresnel_chain) {
-    if (link.status == Status::converged) continue;
-    err +=
-        fmt::format("shadefit: {} on {} (n = {}, k = {}) did not converge: {}\n", link.family->info.id,
-                    link.surface->material, link.surface->ior, link.surface->extinction, name(link.status));
+    if (link.status != Status::converged)
+      fail(fmt::format("{} on {}", link.family->info.id, link.surface->material),
+           std::string(name(link.status)));
   }
   for (const auto& check : results.normalisations) {
-    if (check.verdict == Verdict::confirmed) continue;
-    err +=
-        fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}, estimated error {}\n",
-                    check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
-                    check.estimated_error);
+    if (check.verdict != Verdict::confirmed)
+      fail(fmt::format("{} at exponent {}", check.record->id, check.exponent.value_or(0)),
+           fmt::format("closed form {}, integral {}, estimated error {}", check.closed_form, check.integral,
+                       check.estimated_error));
   }
-  for (const JudgedClaim& judged : results.claims) {
-    if (judged.finding.verdict) continue;
-    err += fmt::format("shadefit: {} could not be judged: {}\n", judged.claim->id, judged.finding.evidence);
-  }
+  for (const JudgedClaim& judged : results.claims)
+    if (!judged.finding.verdict) fail(std::string(judged.claim->id), judged.finding.evidence);
   for (const Comparison& comparison : results.comparisons) {
     err += not_reached_lines(comparison);
-    for (const std::string& fit : comparison.left_out)
-      err += fmt::format("shadefit: {}: {}\n", target_of(comparison), fit);
+    for (const std::string& fit : comparison.left_out) fail(target_of(comparison), fit);
   }
   for (const auto& curve : results.reflectances) {
     for (const auto& point : curve.points) {
-      if (point.estimated_error <= reflectance_tolerance) continue;
-      err += fmt::format(
-          "shadefit: the reflectance of {} at exponent {}, view angle {} failed: estimated error {}\n",
-          curve.record->id, curve.exponent, point.view_angle, point.estimated_error);
+      if (point.estimated_error > reflectance_tolerance)
+        fail(fmt::format("{} at exponent {}, view angle {}", curve.record->id, curve.exponent,
+                         point.view_angle),
+             fmt::format("estimated error {}", point.estimated_error));
     }
   }
   return err;
@@ -78,39 +76,18 @@ bool is_on(std::string_view claim, std::string_view family) {
                              [&](const Published& p) { return p.id == claim && p.family == family; });
 }
 
-/// The claims that pass the filters. They are judged only if filtered by verdict.
-std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpoint& checkpoint) {
+/// All claims, or those with a verdict, which are judged.
+std::vector<JudgedClaim> wanted_claims(const std::optional<Verdict>& verdict, const Checkpoint& checkpoint) {
   std::vector<JudgedClaim> claims;
-  for (const Topic& topic : ledger()) {
-    for (const Claim& claim : topic.claims) {
-      if (options.topic && !boost::icontains(topic.title, *options.topic)) continue;
-      if (options.family && !is_on(claim.id, *options.family)) continue;
-      claims.push_back({&topic, &claim, {}});
-    }
+  if (verdict) {
+    Fits fits;
+    claims = judge_claims([](std::string_view) { return true; }, fits, checkpoint);
+    std::erase_if(claims, [&](const JudgedClaim& judged) { return judged.finding.verdict != *verdict; });
+    return claims;
   }
-  if (!options.verdict) return claims;
-  const auto is_left = [&](std::string_view id) {
-    return std::ranges::any_of(claims, [&](const JudgedClaim& judged) { return judged.claim->id == id; });
-  };
-  Fits fits;
-  auto judged_claims = judge_claims(is_left, fits, checkpoint);
-  std::erase_if(judged_claims,
-                [&](const JudgedClaim& judged) { return judged.finding.verdict != *options.verdict; });
-  return judged_claims;
-}
-
-/// Refuses filters that match nothing because they name nothing that exists.
-void require_known_filters(const ListOptions& options) {
-  std::vector<std::string> titles, families;
-  for (const Topic& topic : ledger()) titles.emplace_back(topic.title);
-  for (const FittableFamily& family : fittable_families()) families.emplace_back(family.info.id);
-  if (options.family) require_known(*options.family, families, "family");
-  const bool is_topic = !options.topic || std::ranges::any_of(titles, [&](const auto& title) {
-    return boost::icontains(title, *options.topic);
-  });
-  if (!is_topic)
-    throw UserError(fmt::format("--topic '{}' is in no title of a topic: they are {}", *options.topic,
-                                fmt::join(titles, "; ")));
+  for (const Topic& topic : ledger())
+    for (const Claim& claim : topic.claims) claims.push_back({&topic, &claim, {}});
+  return claims;
 }
 
 /// A row for a study.
@@ -131,13 +108,6 @@ std::string claim_of(const std::string& id) {
     }
   }
   return id;
-}
-
-/// The options that leave claims out, and with them all studies.
-std::string filters_of(const ListOptions& options) {
-  return (options.verdict ? fmt::format(" --verdict '{}'", name(*options.verdict)) : "") +
-         (options.topic ? fmt::format(" --topic '{}'", *options.topic) : "") +
-         (options.family ? fmt::format(" --family '{}'", *options.family) : "");
 }
 
 /// What a family is, and every claim on it.
@@ -167,14 +137,13 @@ void keep_only(Table& list, const std::string& text, const ListOptions& options)
   std::erase_if(list.rows,
                 [&](const auto& row) { return !boost::icontains(std::get<std::string>(row.front()), text); });
   if (!list.rows.empty()) return;
-  const std::string filters = filters_of(options);
-  if (filters.empty())
+  if (!options.verdict)
     throw UserError(fmt::format("no id contains '{}': 'shadefit list' prints all ids", text));
   const std::vector<std::string> studies = study_ids(study_folders(options.studies));
   const auto study =
       std::ranges::find_if(studies, [&](const std::string& id) { return boost::icontains(id, text); });
   throw UserError(fmt::format(
-      "no claim with '{}' in its id passes{}{}", text, filters,
+      "no claim with '{}' in its id passes --verdict '{}'{}", text, name(*options.verdict),
       study == studies.end() ? "" : fmt::format("; '{0}' is a study: see 'shadefit explain {0}'", *study)));
 }
 
@@ -190,23 +159,15 @@ void refuse_studies(const RunOptions& options) {
 }  // namespace
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
-  require_known_filters(options);
   const bool with_verdicts = options.verdict.has_value();
-  const auto claims = wanted_claims(options, checkpoint);
-  if (claims.empty() && options.family && !options.topic && !options.verdict)
-    throw UserError(fmt::format("--family '{}' has no claims: see 'shadefit better {}'", *options.family,
-                                *options.family));
-  const bool is_narrow = !options.json && !options.csv && !options.latex;
-  Table list = claims_list(claims, with_verdicts,
-                           is_narrow       ? Statements::none
-                           : options.latex ? Statements::marked
-                                           : Statements::plain);
+  Table list = claims_list(wanted_claims(options.verdict, checkpoint), with_verdicts,
+                           options.json || options.csv ? Statements::plain : Statements::none);
   const bool is_file = options.id && options.id->ends_with(".toml");
   std::string err;
   if (is_file) {
     list.rows.clear();
     add_study(list, load_study(*options.id));
-  } else if (!with_verdicts && !options.topic && !options.family) {
+  } else if (!with_verdicts) {
     add_forms_of_comparison(list);
     const LoadedStudies studies = load_studies(known_study_files(study_folders(options.studies)));
     for (const StudyFile& study : studies.files) add_study(list, study);
@@ -215,7 +176,6 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   if (options.id && !is_file) keep_only(list, *options.id, options);
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), err};
   if (options.csv) return {0, write_csv(list, Precision::full), err};
-  if (options.latex) return {0, write_latex(list, Precision::report), err};
   return {0, write_console(list, Precision::report, options.terminal), err};
 }
 
@@ -271,8 +231,10 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
 }
 
 Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options) {
-  if (options.format != FindingFormat::text)
-    return outcome_of(drift_findings(checked, options.fail_above), options.format);
+  if (options.format != findings::FindingFormat::text) {
+    const auto report = drift_findings(checked, options.fail_above);
+    return {findings::passes(report) ? 0 : 1, findings::write_findings(report, options.format), ""};
+  }
   const auto& [drifts, cells] = checked;
   const std::string baseline = printable(options.baseline);
   if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};

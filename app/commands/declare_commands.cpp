@@ -31,21 +31,24 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   CLI::App* command = app.add_subcommand(name, help)->group("Commands");
   command->footer("Examples:\n" + examples);
   declare(*command, *options);
+  command->allow_extras();  // the command line names the first of them
   command->callback([=, &call] {
     if constexpr (requires { options->terminal; }) options->terminal = call.terminal;
     if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
     if constexpr (requires { options->present; }) options->present = present_in(*command);
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
-      options->words = words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--format",
-                                           "--json", "--time-limit", "--plot"});
-    if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
-      call.outcome = run(*options, call.checkpoint, call.progress);
-    } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
-      call.outcome = run(*options, call.checkpoint);
-    } else {
-      call.outcome = run(*options);
-    }
+      options->words = words_of(
+          *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
+    call.run = [options, run, &call] {
+      if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
+        return run(*options, call.checkpoint, call.progress);
+      } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
+        return run(*options, call.checkpoint);
+      } else {
+        return run(*options);
+      }
+    };
   });
 }
 
@@ -71,11 +74,10 @@ void declare_commands(CLI::App& app, Call& call) {
   app.require_subcommand(1);
   app.get_help_ptr()->description("print this help");
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION, "print the version");
-  app.add_option("--completion", "the completions of bash or zsh, or the manual page")->group("");
+  app.add_option("--completion", "the completions of bash")->group("");
   const auto add = [&](const auto&... what) { add_command(app, call, what...); };
   add("list", "every constant and claim: id, printed value, source",
-      "  shadefit list --topic fresnel\n  shadefit list --verdict refuted\n  shadefit list acos\n",
-      declare_list, list_command);
+      "  shadefit list fresnel\n  shadefit list --verdict refuted\n", declare_list, list_command);
   add("run", "fit and check everything; write report.md, the tables and the plots",
       "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n"
       "  shadefit run --html --out gallery\n",
@@ -97,15 +99,13 @@ void declare_commands(CLI::App& app, Call& call) {
       "  shadefit certify fresnel-quadratic --parameters a=-5.5,b=-7 --out pair.json\n"
       "  shadefit certify --target 'acos(x)' --form 'a sqrt(1-x)' --over x=0:1\n",
       declare_certify, certify_command);
-  add("verify", "check a certificate again, on the intervals that it names",
-      "  shadefit verify pair.json\n  shadefit verify pair.json --format github\n", declare_verify,
-      verify_command);
+  add("verify", "check a certificate again, on the intervals that it names", "  shadefit verify pair.json\n",
+      declare_verify, verify_command);
   add("emit", "a form as shader code, generated from its formula",
       "  shadefit emit fresnel-quadratic --lang glsl\n"
       "  shadefit emit sg-offset-mean --lang hlsl --name lobe --out lobe.hlsl\n"
       "  shadefit emit acos-linear --better --lang wgsl\n"
-      "  shadefit emit --check lobe.hlsl\n"
-      "  shadefit emit --check lobe.hlsl --format github\n",
+      "  shadefit emit --check lobe.hlsl\n",
       declare_emit, emit_command);
   add("scene", "what the materials of a scene need, and what can be skipped",
       "  shadefit scene scene.mtl\n  shadefit scene scene.mtl --codes 0.5 --lang glsl\n", declare_scene,
@@ -131,6 +131,7 @@ void declare_commands(CLI::App& app, Call& call) {
       lint_command);
   add_time_limit(app, call);
   auto* help = app.add_subcommand("help", "the help of a command")->group("Commands");
+  help->allow_extras();
   help->add_option("command", "one of the commands")->type_name("COMMAND");
   help->footer("Examples:\n  shadefit help fit\n");
 }

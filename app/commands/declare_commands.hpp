@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/options/options.hpp"
@@ -7,23 +8,22 @@
 #include "app/output/progress.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// All commands and options of `shadefit`. The help, the man page and the completions are generated from
-/// these declarations.
+/// All commands and options of `shadefit`. The help and the completions are generated from these
+/// declarations.
 namespace shadefit {
 
-/// The environment of a command, and its outcome.
+/// The environment of a command, and the command that was parsed.
 struct Call {
   Checkpoint checkpoint;
   const Progress& progress;
   Terminal terminal = {};
-  Outcome outcome = {};
+  std::function<Outcome()> run = {};
 };
 
-/// Declares the commands. Parsing arguments then runs the command that they name and sets `call.outcome`.
+/// Declares the commands. Parsing arguments then sets `call.run` to the command that they name.
 void declare_commands(CLI::App& app, Call& call);
 
-/// The completion script for the commands, options and ids of `app`, for "bash", "zsh" or "fish"; or the
-/// manual page, for "man". Throws UserError for any other word.
-std::string completion(const CLI::App& app, const std::string& shell);
+/// The script that completes the commands, options and ids of `app` in bash.
+std::string bash_completion(const CLI::App& app);
 
 }  // namespace shadefit

@@ -56,7 +56,7 @@ std::string command_of(const EmitOptions& options) {
 struct Proven {
   ChosenSubject chosen;  ///< at the last setting
   double upper = 0;      ///< bounds the error at all settings
-  std::string target, form;
+  std::string target;
 };
 
 /// One set of constants for all settings, and its proof.
@@ -75,7 +75,6 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
     const Certified certified = certify(proven.chosen.subject, width, checkpoint);
     proven.upper = std::max(proven.upper, certified.certificate.upper);
     proven.target = certified.certificate.target;
-    proven.form = certified.certificate.form;
   }
   return proven;
 }
@@ -230,7 +229,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
     if (!options.fit.id.empty() || options.language)
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
                                   options.check.front()));
-    return check_generated_files(options.check, options.format, checkpoint);
+    return check_generated_files(options.check, checkpoint);
   }
   if (options.fit.id.empty() && !options.fit.study.form)
     throw UserError("emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
@@ -247,9 +246,8 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   const std::string code =
       study ? study_code(*study, options, checkpoint) : code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};
-  // A stream receives only the code, because it may be standard output.
-  const std::string said = file->is_stream() ? "" : fmt::format("Code: {}\n", printable(*options.out));
-  return {0, said, "", file->prepare(code, options.force, checkpoint)};
+  return {0, fmt::format("Code: {}\n", printable(*options.out)), "",
+          file->prepare(code, options.force, checkpoint)};
 }
 
 }  // namespace shadefit

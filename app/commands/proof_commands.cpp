@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/study_commands.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
@@ -11,15 +10,17 @@
 #include "fit/proof/certificate.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
+#include "reports/io/escape.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/certificate_json.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/proofs.hpp"
 #include "reports/rows/statement.hpp"
 #include "reports/studies/study_certificate_json.hpp"
+#include "reports/studies/study_proof_rows.hpp"
 #include "reports/table/writers.hpp"
 
-/// The subcommands `certify` and `verify`.
+/// The subcommands `certify` and `verify`, of a family and of a study.
 namespace shadefit {
 namespace {
 
@@ -36,6 +37,12 @@ void refuse_options_of_fits(const Metric& metric) {
   refuse_minimax_constraints(constraints);
 }
 
+/// What `verify` found of a certificate.
+struct VerifiedCertificate {
+  std::string refused;    ///< the reason; empty: it holds
+  std::string statement;  ///< what it proves, on lines of their own
+};
+
 VerifiedCertificate verify_family(const std::string& text, const std::string& file, const ShareDone& done) {
   const auto read = read_certificate(text, file);
   const Certificate& certificate = read.certificate;
@@ -50,12 +57,79 @@ VerifiedCertificate verify_family(const std::string& text, const std::string& fi
                   statement_of(certificate)};
 }
 
-/// The check as findings: one, if the certificate is refused.
-findings::FindingReport certificate_findings(const std::string& file, const std::string& refused) {
-  return one_check("verify",
-                   {"refused-certificate", "A certificate does not hold",
-                    "Nothing is proven by it. Make it again: shadefit certify FORM --out FILE."},
-                   "certificates", refused, {.path = file});
+VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done) {
+  const auto read = read_study_certificate(text, file);
+  const StudyCertificate& certificate = read.certificate;
+  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
+  if (!reason.empty()) return {reason, ""};
+  const Study& study = certificate.subject.study;
+  return {"",
+          fmt::format(
+              "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
+              printable(file), study.weight == "1" ? "" : "weighted ", name(study.error),
+              printable(study.form), certificate.lower, certificate.upper, count_boxes(certificate)) +
+              statement_of(certificate)};
+}
+
+/// The file of --out, which holds one certificate.
+std::optional<OutputFile> certificate_file(const CertifyOptions& options, std::size_t certificates,
+                                           const char* advice) {
+  if (!options.out) return std::nullopt;
+  if (certificates != 1)
+    throw UserError(
+        fmt::format("--out '{}' takes one certificate, not {}: {}", *options.out, certificates, advice));
+  return OutputFile(*options.out, "the certificate");
+}
+
+/// The bounds as JSON or as a text, and the certificate for its file.
+Outcome proven_outcome(const CertifyOptions& options, const std::optional<OutputFile>& file,
+                       const std::string& certificate, const nlohmann::ordered_json& json, std::string text,
+                       const std::string& err, const Checkpoint& checkpoint) {
+  std::function<void()> put;
+  if (file) put = file->prepare(certificate, options.force, checkpoint);
+  if (options.fit.json) {
+    text = json_text_of_each(json);
+  } else if (file) {
+    text += fmt::format("\nCertificate: {}\n", printable(*options.out));
+  }
+  return {err.empty() ? 0 : 1, text, err, put};
+}
+
+/// A line for a proof whose bounds, those of `certificate`, are wider than was asked for. `what` names it.
+template <class AnyCertificate>
+std::string not_reached_line(const std::string& what, const AnyCertificate& certificate, double width) {
+  return fmt::format("shadefit: {}: the width {} was not reached: the largest error is in [{}, {}]\n", what,
+                     width, certificate.lower, certificate.upper);
+}
+
+/// `certify` of a study.
+Outcome certify_study_file(const StudyFile& file, const CertifyOptions& options, const Checkpoint& checkpoint,
+                           const Progress& progress) {
+  if (file.study.rows != nullptr)
+    throw UserError(
+        fmt::format("certify proves the error over a range: '{}' has rows of measured values alone",
+                    file.study.rows->file.unescaped()));
+  const std::vector<Study> studies = combinations(file.study, file.given);
+  const auto out_file = certificate_file(options, studies.size(), "give one value of each --given");
+  std::vector<ProvenStudy> proofs;
+  const Checkpoint next = stepping(checkpoint, progress, "certify", studies.size());
+  std::string err;
+  for (const Study& study : studies) {
+    next();
+    const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
+    const double width = options.width.value_or(usual_study_width(study.over.size()));
+    proofs.push_back({certify_study(chosen.subject, width, checkpoint), chosen.from});
+    const std::string given = given_text(study);
+    const auto& [certificate, is_reached] = proofs.back().certified;
+    if (!is_reached)
+      err += not_reached_line("the proof" + (given.empty() ? "" : " of " + given), certificate, width);
+  }
+  const StudyCertificate& first = proofs.front().certified.certificate;
+  return proven_outcome(options, out_file, certificate_text(first), json_array(proofs, study_proof_json),
+                        (file.id.empty() ? "" : file.id + ": ") + for_terminal(proof_headline(first)) + "\n" +
+                            write_console(study_proofs_table(proofs), Precision::full, options.fit.terminal) +
+                            ends_text(first),
+                        err, checkpoint);
 }
 
 }  // namespace
@@ -63,7 +137,7 @@ findings::FindingReport certificate_findings(const std::string& file, const std:
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress) {
   if (const auto study = chosen_study(options.fit, checkpoint))
-    return certify_study_command(*study, options, checkpoint, progress);
+    return certify_study_file(*study, options, checkpoint, progress);
   if (options.fit.id.empty())
     throw UserError(
         "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
@@ -73,12 +147,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   const double width = options.width.value_or(usual_width);
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   const Metric metric = metric_for(options.fit, family, settings);
-  const Error error = metric.error;
-  if (options.out && settings.size() != 1)
-    throw UserError(fmt::format("--out '{}' takes one certificate, not {}: name one --exponent", *options.out,
-                                settings.size()));
-  const auto file = options.out ? std::optional(OutputFile(*options.out, "the certificate")) : std::nullopt;
-
+  const auto file = certificate_file(options, settings.size(), "name one --exponent");
   std::vector<CertifiedForm> forms;
   const Checkpoint next = stepping(checkpoint, progress, "certify", settings.size());
   std::string err;
@@ -93,19 +162,12 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     if (!is_reached) err += not_reached_line(certificate.subject.family + at, certificate, width);
   }
   const Certificate& first = forms.front().certified.certificate;
-  std::function<void()> put;
-  if (file) put = file->prepare(certificate_text(first), options.force, checkpoint);
-
-  std::string out;
-  if (options.fit.json) {
-    out = json_text_of_each(json_array(forms, write_certified_json));
-  } else {
-    out = fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
-                      first.form, name(error), to_text(first.subject.domain), first.precision) +
-          write_console(certificates_table(family, forms), Precision::full, options.fit.terminal);
-    if (options.out) out += fmt::format("\nCertificate: {}\n", printable(*options.out));
-  }
-  return {err.empty() ? 0 : 1, out, err, put};
+  return proven_outcome(
+      options, file, certificate_text(first), json_array(forms, write_certified_json),
+      fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
+                  first.form, name(metric.error), to_text(first.subject.domain), first.precision) +
+          write_console(certificates_table(family, forms), Precision::full, options.fit.terminal),
+      err, checkpoint);
 }
 
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
@@ -114,8 +176,6 @@ Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoin
   const auto [refused, statement] = is_study_certificate(text, options.file)
                                         ? verify_study(text, options.file, done)
                                         : verify_family(text, options.file, done);
-  if (options.format != FindingFormat::text)
-    return outcome_of(certificate_findings(options.file, refused), options.format);
   if (refused.empty()) return {0, statement, ""};
   return {
       1, "",

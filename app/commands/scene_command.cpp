@@ -30,51 +30,12 @@ scene::Wanted wanted_by(const SceneOptions& options) {
   return wanted;
 }
 
-/// A path relative to the folder of the code that names it, so that both can be moved together. Absolute if
-/// the code is printed, because it may be stored anywhere.
-std::string recorded_path(const std::string& file, const std::optional<std::string>& folder) {
-  // weakly_canonical leaves a relative path relative where its folder does not exist yet, as that of --out.
-  const auto real = [](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-  };
-  return (folder ? real(file).lexically_relative(real(*folder)) : real(file)).string();
-}
-
 /// The command that prints the code.
-std::string code_command(const SceneOptions& options, Language language) {
+std::string code_command(const SceneOptions& options) {
   std::vector<std::string> words = options.words;
-  std::vector<std::string> files;
-  for (const std::string& file : options.files) files.push_back(recorded_path(file, options.out));
-  words.insert(words.begin() + 1, files.begin(), files.end());
-  words.insert(words.end(), {"--lang", std::string(name(language))});
+  words.insert(words.begin() + 1, options.files.begin(), options.files.end());
+  words.insert(words.end(), {"--lang", std::string(name(*options.language))});
   return command_text(words);
-}
-
-/// The files that --out writes.
-std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scene, const scene::Plan& plan) {
-  std::vector<File> files{{"scene.md", plan_markdown(scene, plan)},
-                          {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
-                          {"scene.json", plan_json(scene, plan)}};
-  const auto add = [&](const char* file, Language language) {
-    files.push_back({file, scene_code(scene, plan, language, code_command(options, language))});
-  };
-  add("scene.glsl", Language::glsl);
-  add("scene.hlsl", Language::hlsl);
-  // C++ has no half.
-  if (plan.wanted.precision == scene::PixelPrecision::float32) add("scene.hpp", Language::cpp);
-  return files;
-}
-
-/// Files of another plan that may exist, each with its first bytes.
-std::vector<File> not_written(const scene::Plan& plan) {
-  std::vector<File> files;
-  if (plan.wanted.precision == scene::PixelPrecision::float16)
-    files.push_back({"scene.hpp", fmt::format("// {}\n", generated_line)});
-  return files;
-}
-
-std::string written(const std::string& directory, const std::vector<File>& files) {
-  return fmt::format("\nPlan: {}: {}\n", printable(directory), joined(files, ", ", &File::name));
 }
 
 }  // namespace
@@ -92,15 +53,16 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
   const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
   const int exit_code = plan.is_within() ? 0 : 1;
   if (options.language)
-    return {exit_code, scene_code(scene, plan, *options.language, code_command(options, *options.language)),
-            ""};
+    return {exit_code, scene_code(scene, plan, *options.language, code_command(options)), ""};
   if (options.json) return {exit_code, plan_json(scene, plan), ""};
   std::string out = plan_text(scene, plan, options.terminal);
   std::function<void()> put;
   if (options.out) {
-    const std::vector<File> files = files_of(options, scene, plan);
-    out += written(*options.out, files);
-    put = folder->prepare(files, not_written(plan), options.force, checkpoint);
+    const std::vector<File> files{{"scene.md", plan_markdown(scene, plan)},
+                                  {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
+                                  {"scene.json", plan_json(scene, plan)}};
+    out += fmt::format("\nPlan: {}: {}\n", printable(*options.out), joined(files, ", ", &File::name));
+    put = folder->prepare(files, {}, options.force, checkpoint);
   }
   return {exit_code, out, "", put};
 }

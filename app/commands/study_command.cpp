@@ -42,18 +42,13 @@ std::string uncertainty_block(const std::vector<FittedStudy>& studies, const Ter
          uncertainty_text(studies);
 }
 
-/// Whether the fit of a study has a verdict on this set: it is one of the first form.
-bool is_judged(const PublishedSet& set, const StudyFile& file, const Study& study) {
-  return set.form == file.forms.front().id && is_for(set, study);
-}
-
-/// Calls `next` before each verdict.
+/// The verdicts on the sets of the first form.
 std::vector<JudgedSet> judged_sets(const StudyFile& file, const StudyObjective& objective,
-                                   const Checkpoint& checkpoint, const Checkpoint& next) {
+                                   const Checkpoint& checkpoint) {
   std::vector<JudgedSet> sets;
   for (const PublishedSet& set : file.published) {
-    if (!is_judged(set, file, objective.study)) continue;
-    next();
+    if (set.form != file.forms.front().id || !is_for(set, objective.study)) continue;
+    checkpoint();
     // A held constant is not fitted, so it is not judged.
     PublishedSet judged = set;
     for (const Held& held : objective.study.held)
@@ -99,15 +94,23 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
                                  : fmt::format("The best of {} starts.\n", first.starts));
 }
 
-/// The calls of `next` by `fitted_studies`.
-std::size_t steps_to_fit(const StudyFile& file) {
-  std::size_t steps = 0;
-  for (const Study& study : combinations(file.study, file.given)) {
-    const auto judged = std::ranges::count_if(
-        file.published, [&](const PublishedSet& set) { return is_judged(set, file, study); });
-    steps += 1 + static_cast<std::size_t>(judged);
+/// The fits of the first form, one for each combination of given constants, with the verdicts on the
+/// published sets.
+std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
+                                        const Progress& progress) {
+  std::vector<FittedStudy> studies;
+  const std::vector<Study> all = combinations(file.study, file.given);
+  const Checkpoint next = stepping(checkpoint, progress, "fit", all.size());
+  for (Study study : all) {
+    next();
+    study.form = file.forms.front().formula;
+    if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
+    StudyObjective objective = objective_of(study, file.norm, file.constraints);
+    objective.recompute = file.recompute;
+    studies.push_back({objective, read_formulas(study), fit_study(objective, checkpoint),
+                       judged_sets(file, objective, checkpoint)});
   }
-  return steps;
+  return studies;
 }
 
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
@@ -144,11 +147,9 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
 }
 
 /// A row for each fit. A fit of measured rows has a table of its own, with its errors in a comment.
-std::string latex_text(const StudyFile& file, const std::vector<FittedStudy>& studies, int digits) {
+std::string latex_text(const StudyFile& file, const std::vector<FittedStudy>& studies) {
   const std::vector<std::string> names = formula_inputs(studies.front().read);
-  const auto latex = [&](const Table& table) {
-    return write_latex(with_digits(table, digits), Precision::report, names);
-  };
+  const auto latex = [&](const Table& table) { return write_latex(table, Precision::report, names); };
   if (!file.study.rows) return latex(study_table(studies));
   return joined(studies, "\n", [&](const FittedStudy& study) {
     const std::string given = given_text(study.asked());
@@ -172,36 +173,9 @@ std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, con
          write_console(study_proofs_table(proofs), Precision::full, terminal) + ends_text(first);
 }
 
-}  // namespace
-
-std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
-                                        const Checkpoint& next) {
-  std::vector<FittedStudy> studies;
-  for (const Study& combination : combinations(file.study, file.given)) {
-    next();
-    Study study = combination;
-    study.form = file.forms.front().formula;
-    if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
-    StudyObjective objective = objective_of(study, file.norm, file.constraints);
-    objective.recompute = file.recompute;
-    studies.push_back({objective, read_formulas(study), fit_study(objective, checkpoint),
-                       judged_sets(file, objective, checkpoint, next)});
-  }
-  return studies;
-}
-
-Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
-                      const Progress& progress) {
-  if (options.certify && file.study.rows)
-    throw UserError("--certify does not go with --table: rows have no error between them");
-  if (options.plot) require_picture(*options.plot);
-  const auto studies =
-      fitted_studies(file, checkpoint, stepping(checkpoint, progress, "fit", steps_to_fit(file)));
-  const std::string err = not_converged_lines(studies);
-  const int code = err.empty() ? 0 : 1;
-  std::function<void()> put;
-  if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
-  const auto [proofs, rounded, sensitivities] = extras_of(studies, options, checkpoint, progress);
+std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
+                         const StudyExtras& extras, const FitOptions& options) {
+  const auto& [proofs, rounded, sensitivities] = extras;
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
@@ -209,19 +183,35 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
       if (rounded[i]) json[i]["rounded"] = study_rounding_json(studies[i], *rounded[i]);
       if (sensitivities[i]) json[i]["sensitivity"] = study_sensitivity_json(studies[i], *sensitivities[i]);
     }
-    return {code, json_text_of_each(json), err, put};
+    return json_text_of_each(json);
   }
-  Table table = study_table(studies);
-  if (options.csv && file.study.rows) add_uncertainty_columns(table, studies);
-  if (options.csv) return {code, write_csv(table, Precision::full), err, put};
-  if (options.latex) return {code, latex_text(file, studies, options.digits), err, put};
-  std::string out = console_text(file, studies, options.terminal);
-  out += proofs_block(proofs, options.terminal);
+  if (options.csv) {
+    Table table = study_table(studies);
+    if (file.study.rows) add_uncertainty_columns(table, studies);
+    return write_csv(table, Precision::full);
+  }
+  if (options.latex) return latex_text(file, studies);
+  std::string out = console_text(file, studies, options.terminal) + proofs_block(proofs, options.terminal);
   if (options.round) out += study_roundings_text(studies, rounded, options.terminal);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += study_sensitivity_text(studies[i], *sensitivities[i], options.terminal);
   }
-  return {code, out, err, put};
+  return out;
+}
+
+}  // namespace
+
+Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
+                      const Progress& progress) {
+  if (options.certify && file.study.rows)
+    throw UserError("--certify does not go with --table: rows have no error between them");
+  if (options.plot) require_picture(*options.plot);
+  const auto studies = fitted_studies(file, checkpoint, progress);
+  const std::string err = not_converged_lines(studies);
+  const auto extras = extras_of(studies, options, checkpoint, progress);
+  return with_picture(
+      {err.empty() ? 0 : 1, studies_text(file, studies, extras, options), err}, options,
+      [&] { return study_figure(studies); }, checkpoint);
 }
 
 }  // namespace shadefit

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
 #include <vector>
 
@@ -9,18 +7,12 @@
 #include "app/options/outcome.hpp"
 #include "app/output/progress.hpp"
 #include "fit/better/better_study.hpp"
-#include "fit/proof/certificate.hpp"
 #include "fit/study/study_file.hpp"
 #include "reports/findings/baseline.hpp"
 #include "reports/studies/study_rows.hpp"
 
 /// The commands for a study. Bad input throws UserError.
 namespace shadefit {
-
-/// The fits of the first form, one for each combination of given constants, with the verdicts on the
-/// published sets. `next` is called before each fit and each verdict.
-std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
-                                        const Checkpoint& next);
 
 /// The published sets of a study against the fits of its forms, one for each combination of given constants.
 std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
@@ -30,22 +22,6 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
                       const Progress& progress);
 Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                              const Progress& progress);
-Outcome certify_study_command(const StudyFile& file, const CertifyOptions& options,
-                              const Checkpoint& checkpoint, const Progress& progress);
-/// A line for a proof whose bounds, those of `certificate`, are wider than was asked for. `what` names it.
-template <class AnyCertificate>
-std::string not_reached_line(const std::string& what, const AnyCertificate& certificate, double width) {
-  return fmt::format("shadefit: {}: the width {} was not reached: the largest error is in [{}, {}]\n", what,
-                     width, certificate.lower, certificate.upper);
-}
-
-/// What `verify` found of a certificate.
-struct VerifiedCertificate {
-  std::string refused;    ///< the reason; empty: it holds
-  std::string statement;  ///< what it proves, on lines of their own
-};
-/// `text` is the certificate in `file`.
-VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done);
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
                               const Checkpoint& checkpoint, const Progress& progress);
 /// The pages of a study, or of all studies in the folders.

@@ -1,7 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <sstream>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
@@ -45,23 +42,7 @@ std::string advice_of(const StudyComparison& comparison, bool is_one_of_several,
   for (const auto& [constant, value] : comparison.study.given)
     if (is_one_of_several) words.insert(words.end(), {"--given", constant + "=" + value});
   words.insert(words.end(), {"--better", "--lang", "glsl"});
-  const std::string advice = advice_text(comparison, shell_text(words));
-  if (options.terminal.width == 0) return advice;
-  std::string lines;
-  std::istringstream stream(advice);
-  for (std::string line; std::getline(stream, line);)
-    lines += fmt::format("{}\n", fmt::join(folded(line, options.terminal.width), "\n"));
-  return lines;
-}
-
-/// The variables and parameters of all contenders.
-std::vector<std::string> names_compared(const StudyComparison& comparison) {
-  std::vector<std::string> names;
-  for (const StudyContender& contender : comparison.contenders) {
-    const auto inputs = formula_inputs(formulas_of(comparison, contender));
-    names.insert(names.end(), inputs.begin(), inputs.end());
-  }
-  return names;
+  return advice_text(comparison, shell_text(words));
 }
 
 /// One line for each fit that did not converge.
@@ -110,19 +91,19 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
   if (options.plot && comparisons.size() > 1)
     throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: give one value by --given",
                                 *options.plot, comparisons.size()));
-  std::function<void()> put;
-  if (options.plot)
-    put = draw_picture(better_study_figure(comparisons.front()), *options.plot, options.force, checkpoint);
-  if (options.csv) return {0, write_csv(study_comparisons_table(comparisons), Precision::full), "", put};
-  if (options.json) return {0, json_text_of_each(json_array(comparisons, study_comparison_json)), "", put};
-  const auto shown = [&](const StudyComparison& comparison) {
-    if (!options.latex)
+  std::string out;
+  if (options.csv) {
+    out = write_csv(study_comparisons_table(comparisons), Precision::full);
+  } else if (options.json) {
+    out = json_text_of_each(json_array(comparisons, study_comparison_json));
+  } else {
+    out = joined(comparisons, "\n", [&](const StudyComparison& comparison) {
       return advice_of(comparison, comparisons.size() > 1, options) +
              console_text(comparison, options.terminal);
-    return write_latex(with_digits(study_comparison_table(comparison), options.digits), Precision::report,
-                       names_compared(comparison));
-  };
-  return {0, joined(comparisons, "\n", shown), "", put};
+    });
+  }
+  return with_picture(
+      {0, out, ""}, options, [&] { return better_study_figure(comparisons.front()); }, checkpoint);
 }
 
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
@@ -158,11 +139,13 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
 
 Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const OutputFolder folder(options.out);
-  std::vector<std::string> names = options.only;
-  if (options.study) names.push_back(*options.study);
+  const auto folders = study_folders(options.studies);
   std::vector<StudyFile> files;
-  for (const auto& path : chosen_studies(names, study_folders(options.studies)))
-    files.push_back(load_study(path));
+  if (options.study) {
+    files.push_back(named_study(*options.study, folders));
+  } else {
+    for (const auto& path : study_files(folders)) files.push_back(load_study(path));
+  }
   std::vector<JudgedStudy> judged(files.size());
   const auto judge = [&](std::size_t place, const Checkpoint& go_on) {
     GalleryEntry entry{files[place], {}};

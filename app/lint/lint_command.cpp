@@ -9,7 +9,7 @@
 #include <set>
 #include <system_error>
 
-#include "app/options/finding_format.hpp"
+#include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/input/bounded_file.hpp"
@@ -233,7 +233,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   lint.add_option("paths", options.paths,
                   "files and folders (default: `paths` of .shadefit.toml); '-' reads standard input")
       ->type_name("PATH");
-  add_finding_format(lint, options.format, true);
+  add_finding_format(lint, options.format);
   Choices<std::string> grades;
   for (const std::string& word : fail_on_words()) grades.emplace_back(word, word);
   add_choice(lint, "--fail-on", options.fail_on, grades, "the mildest grade that fails (default: wrong)");

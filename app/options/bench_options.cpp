@@ -47,12 +47,11 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       "evaluate this form, or all of one cosine, at every float in [0, 1] and compare with its target in "
       "double");
   exhaustive->excludes(study);
-  bench.add_option("--only", options.only, "only these targets")
-      ->type_name("TARGET")
+  add_values(bench, "--only", options.only, parse_text, "TARGET", "only these targets")
+      ->allow_extra_args()
       ->excludes(exhaustive)
       ->excludes(study);
   bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
-  bench.add_flag("--json", options.json, "print the rows of bench.csv as JSON")->excludes(exhaustive);
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
       ->excludes(exhaustive);
   add_value(bench, "--constants", options.constants, parse_text, "ID",

@@ -24,7 +24,6 @@ struct BenchOptions {
   std::vector<std::string> only = {};  ///< ids of targets
   bool force = false;                  ///< as in `RunOptions`
   bool quick = false;
-  bool json = false;
   bool no_plots = false;
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
   std::optional<std::string> constants = {};   ///< of that form; the options below are for it too

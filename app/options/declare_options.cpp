@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "app/options/finding_format.hpp"
 #include "app/options/option_values.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/study_proof/study_certificate.hpp"
@@ -19,19 +18,9 @@ void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print JSON, every number to its last bit");
 }
 
-/// The formats of a table; each excludes the others and the `--json` before them.
-void add_formats(CLI::App& command, bool& csv, bool& latex, const std::string& columns) {
-  CLI::Option* json = command.get_option("--json");
-  auto* csv_option = command.add_flag("--csv", csv, "print CSV" + columns)->excludes(json);
-  command.add_flag("--latex", latex, "print a LaTeX tabular")->excludes(json)->excludes(csv_option);
-}
-
-void add_digits(CLI::App& command, int& digits) {
-  const auto parse = [](const std::string& option, const std::string& text) {
-    return parse_whole(option, text, 1, all_digits);
-  };
-  add_value(command, "--digits", digits, parse, "N", "with --latex: at most this many significant digits")
-      ->needs(command.get_option("--latex"));
+/// The formats of a table; each excludes the `--json` before them.
+CLI::Option* add_csv(CLI::App& command, bool& csv, const std::string& columns) {
+  return command.add_flag("--csv", csv, "print CSV" + columns)->excludes("--json");
 }
 
 void add_plot(CLI::App& command, FitOptions& options, const std::string& what) {
@@ -142,9 +131,22 @@ void add_study(CLI::App& command, FitOptions& options) {
       command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
       "a variable of --form and its range, for example x=0:1 or t=0deg:30deg; DENSITY, a formula, says how much each "
       "place counts (default: 1); with --table only NAME; up to three times");
-  // The command line reads it as one of these (app/commands/command_line.cpp).
-  add_value(command, "--range", study.range, parse_text, "NAME=A:B|A:B",
-            "another name of --over, and with A:B alone of --domain");
+  const auto set_range = [&options](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      refuse_option("--range", text);
+      if (text.find(':') != text.npos && text.find('=') == text.npos) {
+        options.metric.domain = parse_domain("--domain", text);
+        options.study.has_domain = true;
+      } else {
+        options.study.over.push_back(parse_over("--over", text));
+      }
+    }
+  };
+  command
+      .add_option_function<std::vector<std::string>>("--range", set_range,
+                                                     "another name of --over, and with A:B alone of --domain")
+      ->type_name("NAME=A:B|A:B")
+      ->allow_extra_args(false);
   add_values(command, "--given", study.given, parse_given, "NAME=LIST",
              "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
@@ -171,6 +173,22 @@ void add_target_or_formula(CLI::App& command, FitOptions& options, const std::st
   add_surface(command, options);
 }
 
+/// What `fit`, `certify` and `emit` fit, and how. Generated files list the options in this order.
+void add_fit(CLI::App& command, FitOptions& options) {
+  add_subject(command, options);
+  add_exponent(command, options, "those for which the source printed a number");
+  add_metric(command, options);
+  add_target_or_formula(command, options, "schlick");
+  add_norm(command, options);
+  add_study(command, options);
+  add_constraints(command, options.metric);
+}
+
+void add_parameters(CLI::App& command, std::optional<Parameters>& parameters) {
+  add_value(command, "--parameters", parameters, parse_parameters, "NAME=VALUE,..",
+            "the constants (default: the published ones, else fitted ones)");
+}
+
 }  // namespace
 
 void add_force(CLI::App& command, bool& force) {
@@ -186,6 +204,11 @@ void add_studies(CLI::App& command, StudyFolders& folders) {
              "also find studies in this folder; may be repeated");
 }
 
+void add_finding_format(CLI::App& command, findings::FindingFormat& format) {
+  add_choice(command, "--format", format, by_name(findings::finding_formats),
+             "the format of the output: text is for people, sarif, github and markdown for code hosts");
+}
+
 void declare_list(CLI::App& list, ListOptions& options) {
   list.add_option("id", options.id, "only what has this text in its id; or a study's file, NAME.toml")
       ->type_name("ID");
@@ -194,12 +217,9 @@ void declare_list(CLI::App& list, ListOptions& options) {
       "only the claims with this verdict (computes them all). confirmed: all digits are right; rounding: the last "
       "one is off by one; other-objective: another fit has the digits; conditional: true in a part of the "
       "range; refuted: none of these");
-  add_value(list, "--topic", options.topic, parse_text, "TEXT",
-            "only the topics with this text in their title, for example fresnel");
-  add_value(list, "--family", options.family, parse_text, "FAMILY", "only the claims on this family");
   add_studies(list, options.studies);
   add_json(list, options.json);
-  add_formats(list, options.csv, options.latex, "");
+  add_csv(list, options.csv, "");
 }
 
 void declare_run(CLI::App& run, RunOptions& options) {
@@ -207,35 +227,28 @@ void declare_run(CLI::App& run, RunOptions& options) {
   run.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
       ->type_name("STUDY");
   add_studies(run, options.studies);
-  run.add_option("--only", options.only,
-                 "only these families, normalisations and claims; with --html these studies")
-      ->type_name("ID");
+  add_values(run, "--only", options.only, parse_text, "ID", "only these families, normalisations and claims")
+      ->allow_extra_args();
   add_force(run, options.force);
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
-  run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
+  run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser")
+      ->excludes("--only");
 }
 
 void declare_fit(CLI::App& fit, FitOptions& options) {
-  add_subject(fit, options);
-  add_exponent(fit, options, "those for which the source printed a number");
-  add_metric(fit, options);
-  add_target_or_formula(fit, options, "schlick");
-  add_norm(fit, options);
-  add_study(fit, options);
-  add_constraints(fit, options.metric);
+  add_fit(fit, options);
   add_json(fit, options.json);
-  add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
-  add_digits(fit, options.digits);
+  auto* csv = add_csv(fit, options.csv, ": the columns of fits.csv");
+  auto* latex =
+      fit.add_flag("--latex", options.latex, "print a LaTeX tabular")->excludes("--json")->excludes(csv);
   const std::array extras{
-      fit.add_flag(
-          "--certify", options.certify,
-          "prove bounds of the largest error, that the fit is a minimum, and that the curve is monotone"),
+      fit.add_flag("--certify", options.certify,
+                   "of a study or --form: also prove bounds of the largest error"),
       add_round(fit, options),
       fit.add_flag(
           "--sensitivity", options.sensitivity,
           "also how many digits of each constant matter, and the fit under other measures and domains")};
-  for (CLI::Option* extra : extras)
-    extra->excludes(fit.get_option("--csv"))->excludes(fit.get_option("--latex"));
+  for (CLI::Option* extra : extras) extra->excludes(csv)->excludes(latex);
   add_plot(fit, options, "also draw the fit and its error");
 }
 
@@ -250,21 +263,13 @@ void declare_better(CLI::App& better, FitOptions& options) {
   add_study(better, options);
   add_domain(better, options);
   add_json(better, options.json);
-  add_formats(better, options.csv, options.latex, ": the columns of better.csv");
-  add_digits(better, options.digits);
+  add_csv(better, options.csv, ": the columns of better.csv");
   add_plot(better, options, "also draw the errors of the published curves and of the best one");
 }
 
 void declare_certify(CLI::App& certify, CertifyOptions& options) {
-  add_subject(certify, options.fit);
-  add_exponent(certify, options.fit, "those for which the source printed a number");
-  add_metric(certify, options.fit);
-  add_target_or_formula(certify, options.fit, "schlick");
-  add_study(certify, options.fit);
-  add_norm(certify, options.fit);
-  add_constraints(certify, options.fit.metric);
-  add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
-            "the constants (default: the published ones, else fitted ones)");
+  add_fit(certify, options.fit);
+  add_parameters(certify, options.parameters);
   add_value(certify, "--width", options.width, parse_relative_width, "W",
             fmt::format(
                 "the greatest distance of the two bounds, as a share of the largest error (default: {}; "
@@ -280,22 +285,12 @@ void declare_verify(CLI::App& verify, VerifyOptions& options) {
   verify.add_option("file", options.file, "a file of 'shadefit certify --out'")
       ->required()
       ->type_name("FILE");
-  add_finding_format(verify, options.format, false);
 }
 
-/// Generated files list the options in this order.
 void declare_emit(CLI::App& emit, EmitOptions& options) {
-  // With --check the file names its command.
-  add_subject(emit, options.fit);
   add_choice(emit, "--lang", options.language, by_name(languages), "the language of the code");
-  add_exponent(emit, options.fit, "those for which the source printed a number");
-  add_value(emit, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
-            "the constants (default: the published ones, else fitted ones)");
-  add_norm(emit, options.fit);
-  add_metric(emit, options.fit);
-  add_target_or_formula(emit, options.fit, "schlick");
-  add_study(emit, options.fit);
-  add_constraints(emit, options.fit.metric);
+  add_fit(emit, options.fit);
+  add_parameters(emit, options.parameters);
   add_round(emit, options.fit);
   emit.add_flag(
       "--better", options.better,
@@ -305,10 +300,9 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
   add_force(emit, options.force);
-  auto* check = add_values(emit, "--check", options.check, parse_text, "FILE",
-                           "exit 1 unless shadefit would generate these files again as they are")
-                    ->allow_extra_args();
-  add_finding_format(emit, options.format, true)->needs(check);
+  add_values(emit, "--check", options.check, parse_text, "FILE",
+             "exit 1 unless shadefit would generate these files again as they are")
+      ->allow_extra_args();
 }
 
 void declare_explain(CLI::App& explain, ExplainOptions& options) {
@@ -344,7 +338,7 @@ void declare_check(CLI::App& check, CheckOptions& options) {
       "also compare the slow tables, those of stress and bench, and the rows of the tables of studies");
   add_value(check, "--fail-above", options.fail_above, parse_percentage, "P%",
             "allow a number to change by this share of its old value (default: each change fails)");
-  add_finding_format(check, options.format, true);
+  add_finding_format(check, options.format);
 }
 
 }  // namespace shadefit

@@ -13,6 +13,7 @@ namespace shadefit {
 void add_force(CLI::App& command, bool& force);
 void add_out(CLI::App& command, std::string& out);
 void add_studies(CLI::App& command, StudyFolders& folders);
+void add_finding_format(CLI::App& command, findings::FindingFormat& format);
 
 /// The options of one command each.
 void declare_list(CLI::App& list, ListOptions& options);

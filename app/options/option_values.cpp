@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/options/finding_format.hpp"
 #include "fit/proof/bound_width.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/study/study.hpp"
@@ -43,6 +42,12 @@ std::optional<double> cosine_of(const std::string& text) {
 }
 
 }  // namespace
+
+void refuse_option(const std::string& option, const std::string& text) {
+  if (text.starts_with("--"))
+    throw UserError(
+        fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')", option, text));
+}
 
 std::string parse_text(const std::string&, const std::string& text) {
   return text;
@@ -164,13 +169,6 @@ std::size_t parse_device(const std::string& option, const std::string& text) {
       text));
 }
 
-bool looks_like_an_option(const CLI::Option& of, const std::string& text) {
-  if (of.get_type_name().find("FORMULA") != std::string::npos) return text.starts_with("--");
-  double number = 0;
-  return text.starts_with('-') && text.size() > 1 &&
-         std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc::invalid_argument;
-}
-
 std::vector<std::string> words_of(const CLI::App& command, const std::vector<std::string>& without) {
   std::vector<std::string> words{command.get_name()};
   for (const CLI::Option* option : command.get_options()) {
@@ -200,32 +198,6 @@ std::string shell_text(const std::vector<std::string>& words) {
     text += " '" + boost::replace_all_copy(word, "'", "'\\''") + "'";
   }
   return text;
-}
-
-CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool has_places) {
-  auto choices = by_name(findings::finding_formats);
-  std::erase_if(choices,
-                [&](const auto& choice) { return choice.second == FindingFormat::sarif && !has_places; });
-  return add_choice(
-      command, "--format", format, choices,
-      fmt::format("the format of the output: text is for people, {} and markdown for code hosts",
-                  has_places ? "sarif, github" : "github"));
-}
-
-findings::FindingReport one_check(const std::string& command, const findings::FindingRule& rule,
-                                  const std::string& checked_words, const std::string& fault,
-                                  const findings::FindingPlace& place) {
-  findings::FindingReport report{command, {rule}, {}, 1, checked_words};
-  if (!fault.empty())
-    report.findings.push_back({.rule = rule.id,
-                               .message = fault,
-                               .place = place,
-                               .fingerprint = fmt::format("{} {}", rule.id, place.path)});
-  return report;
-}
-
-Outcome outcome_of(const findings::FindingReport& report, FindingFormat format) {
-  return {findings::passes(report) ? 0 : 1, findings::write_findings(report, format), ""};
 }
 
 }  // namespace shadefit

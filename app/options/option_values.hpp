@@ -15,11 +15,17 @@
 /// option's name and the text, and throw UserError with one line that contains both and the rule.
 namespace shadefit {
 
+/// Refuses a value that looks like an option: CLI11 takes the next word, whatever it is.
+void refuse_option(const std::string& option, const std::string& text);
+
 /// An option with one value. `type` names the value in the help; words separated by '|' are the choices.
 template <class V, class Parse>
 CLI::Option* add_value(CLI::App& command, const std::string& option, V& value, Parse parse,
                        const std::string& type, const std::string& help) {
-  const auto set = [&value, option, parse](const std::string& text) { value = parse(option, text); };
+  const auto set = [&value, option, parse](const std::string& text) {
+    refuse_option(option, text);
+    value = parse(option, text);
+  };
   return command.add_option_function<std::string>(option, set, help)->type_name(type);
 }
 
@@ -28,7 +34,10 @@ template <class V, class Parse>
 CLI::Option* add_values(CLI::App& command, const std::string& option, std::vector<V>& values, Parse parse,
                         const std::string& type, const std::string& help) {
   const auto set = [&values, option, parse](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) values.push_back(parse(option, text));
+    for (const std::string& text : texts) {
+      refuse_option(option, text);
+      values.push_back(parse(option, text));
+    }
   };
   return command.add_option_function<std::vector<std::string>>(option, set, help)
       ->type_name(type)
@@ -112,10 +121,6 @@ double parse_relative_width(const std::string& option, const std::string& text);
 
 /// "vulkan" or "vulkan:N": the place of a graphics device.
 std::size_t parse_device(const std::string& option, const std::string& text);
-
-/// Whether a text looks like an option instead of a value: it begins with '-' and is not a number. A
-/// formula may begin with a sign, but not with two.
-bool looks_like_an_option(const CLI::Option& of, const std::string& text);
 
 /// The words of a parsed command: its options with their values as given. Leaves out the options `without`
 /// and options with default values.

@@ -6,13 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/options/finding_format.hpp"
+#include "app/options/outcome.hpp"
 #include "app/options/study_options.hpp"
 #include "fit/families/surface.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/code/shader_code.hpp"
+#include "reports/findings/finding.hpp"
 #include "reports/table/writers.hpp"
 
 /// The options of the commands, parsed (app/commands/declare_commands.cpp).
@@ -22,14 +23,11 @@ namespace shadefit {
 using StudyFolders = std::vector<std::string>;
 
 struct ListOptions {
-  std::optional<std::string> id;      ///< only the rows whose id contains this text; or the file of a study
-  std::optional<Verdict> verdict;     ///< only the claims with this one; computes them
-  std::optional<std::string> topic;   ///< only topics whose title contains this text
-  std::optional<std::string> family;  ///< only the claims on this family
+  std::optional<std::string> id;   ///< only the rows whose id contains this text; or the file of a study
+  std::optional<Verdict> verdict;  ///< only the claims with this one; computes them
   StudyFolders studies = {};
   bool json = false;
   bool csv = false;
-  bool latex = false;
   Terminal terminal = {};
 };
 
@@ -41,7 +39,7 @@ struct RunOptions {
   bool no_plots = false;
   bool force = false;  ///< replaces files that shadefit did not write
   Terminal terminal = {};
-  bool html = false;  ///< pages of the study, of those of `only`, or of all studies
+  bool html = false;  ///< pages of the study, or of all studies
 };
 
 /// The form and its target. `fit`, `better`, `certify` and `emit` share these options.
@@ -58,7 +56,6 @@ struct FitOptions {
   bool json = false;
   bool csv = false;
   bool latex = false;
-  int digits = all_digits;  ///< the most significant digits of a number, in LaTeX
   bool certify = false;
   std::optional<NumberFormat> round = {};
   bool sensitivity = false;
@@ -85,18 +82,16 @@ struct EmitOptions {
   std::optional<Parameters> parameters = {};  ///< as in `CertifyOptions`
   std::optional<Language> language = {};      ///< empty with `check`
   ShaderPrecision precision = ShaderPrecision::float32;
-  std::optional<std::string> name = {};        ///< of the function; empty: the family's
-  std::optional<std::string> out = {};         ///< a file; empty: printed
-  bool force = false;                          ///< as in `RunOptions`
-  bool better = false;                         ///< the set that is better than the published one
-  std::vector<std::string> check = {};         ///< generated files
-  FindingFormat format = FindingFormat::text;  ///< of what `check` prints
-  std::vector<std::string> words = {};         ///< of the command that prints this code, for its comment
+  std::optional<std::string> name = {};  ///< of the function; empty: the family's
+  std::optional<std::string> out = {};   ///< a file; empty: printed
+  bool force = false;                    ///< as in `RunOptions`
+  bool better = false;                   ///< the set that is better than the published one
+  std::vector<std::string> check = {};   ///< generated files
+  std::vector<std::string> words = {};   ///< of the command that prints this code, for its comment
 };
 
 struct VerifyOptions {
   std::string file;
-  FindingFormat format = FindingFormat::text;
 };
 
 struct StressOptions {
@@ -123,7 +118,7 @@ struct CheckOptions {
   std::string baseline = "reports/baseline";
   bool all = false;                       ///< also the slow tables
   std::optional<double> fail_above = {};  ///< the relative change that a number may have; empty: none
-  FindingFormat format = FindingFormat::text;
+  findings::FindingFormat format = findings::FindingFormat::text;
   std::set<std::string> present = {};  ///< the options on the command line
   Terminal terminal = {};
 };

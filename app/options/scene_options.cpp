@@ -6,6 +6,12 @@
 namespace shadefit {
 namespace {
 
+/// A parser of shares up to `most`.
+auto share_of(double most) {
+  return
+      [most](const std::string& option, const std::string& text) { return parse_share(option, text, most); };
+}
+
 /// Adds the options for reading the files.
 void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
   add_choice(scene, "--alpha", conventions.is_roughness_squared,
@@ -17,20 +23,12 @@ void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
   add_choice(
       scene, "--maps", conventions.are_maps_pbr, Choices<bool>{{"named", false}, {"pbr", true}},
       "how the maps of a .mtl are read: as the format names them, or map_Ka as metallic and map_Ns as roughness");
-  const auto parse = [](const std::string& option, const std::string& text) {
-    return parse_share(option, text, 1);
-  };
-  add_value(scene, "--min-roughness", conventions.min_roughness, parse, "R",
+  add_value(scene, "--min-roughness", conventions.min_roughness, share_of(1), "R",
             "the least roughness, as engines have it: 0.045 Filament, 0.0525 three.js (default: none)");
 }
 
 /// Adds the options for the tolerance and its use.
 void add_wishes(CLI::App& scene, SceneOptions& options) {
-  const auto share_of = [](double most) {
-    return [most](const std::string& option, const std::string& text) {
-      return parse_share(option, text, most);
-    };
-  };
   auto* tolerance = add_value(scene, "--tolerance", options.tolerance, share_of(1), "T",
                               "the error that a pixel may have, all lights together, in linear values "
                               "(default: 1/255)");
@@ -71,9 +69,8 @@ void declare_scene(CLI::App& scene, SceneOptions& options) {
               "--features", options.conventions.has_features,
               "print the features that each material needs by its values, and the sets of them that occur")
           ->excludes(language);
-  add_value(
-      scene, "--out", options.out, parse_text, "DIR",
-      "the directory to write the plan to (scene.md, .csv, .json) and its code (scene.glsl, .hlsl, .hpp)")
+  add_value(scene, "--out", options.out, parse_text, "DIR",
+            "the directory to write the plan to: scene.md, .csv, .json")
       ->excludes(json)
       ->excludes(language)
       ->excludes(features);

@@ -17,7 +17,7 @@ struct StudyOptions {
   std::string table = {};                ///< a file of rows, instead of a target
   std::string value = "value";           ///< the column of the measured values
   std::vector<StudyRange> over = {};
-  std::string range = {};  ///< never set: the command line reads --range as --over or --domain
+  bool has_domain = false;                                                   ///< by --range A:B
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyDefinition> definitions = {};
   std::vector<Held> starts = {};

@@ -23,17 +23,13 @@ HeldSignals hold_interrupts() {
     sigaction(signal, nullptr, &action);
     if (action.sa_handler != SIG_IGN) sigaddset(&signals.held, signal);
   }
-  pthread_sigmask(SIG_BLOCK, &signals.held, &signals.mask_before);
+  pthread_sigmask(SIG_BLOCK, &signals.held, nullptr);
   return signals;
 }
 
 void take_waiting(const HeldSignals& signals) {
   while (take_one(signals.held) > 0) {
   }
-}
-
-void release(const HeldSignals& signals) {
-  pthread_sigmask(SIG_SETMASK, &signals.mask_before, nullptr);
 }
 
 Checkpoint interruptible(const HeldSignals& signals) {

@@ -18,26 +18,18 @@ struct TimeIsOver {
   double seconds;  ///< that were given
 };
 
-/// The held signals, and the previous mask of blocked signals.
+/// The held signals.
 struct HeldSignals {
   sigset_t held;
-  sigset_t mask_before;
 };
 
 /// Blocks SIGINT, SIGTERM and SIGHUP in this thread and in the threads that it starts. An ignored signal
 /// stays ignored (a background job of a script ignores SIGINT, a job under nohup ignores SIGHUP). From then
-/// on the signals are pending until a checkpoint takes them.
-///
-/// The mask survives exec: give `mask_before` to every program that the command starts, or Ctrl-C will not
-/// end it.
+/// on the signals are pending until a checkpoint takes them. The command holds them to its end.
 HeldSignals hold_interrupts();
 
 /// Takes the pending signals, as when the user presses Ctrl-C again while the first is handled.
 void take_waiting(const HeldSignals& signals);
-
-/// Restores the previous mask after `hold_interrupts`. A signal that is still pending then acts at once,
-/// without a message; the command itself therefore holds the signals to its end.
-void release(const HeldSignals& signals);
 
 /// A checkpoint that takes a pending signal and throws Interrupted.
 Checkpoint interruptible(const HeldSignals& signals);

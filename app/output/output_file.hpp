@@ -11,25 +11,20 @@
 /// What an option --out names.
 namespace shadefit {
 
-/// The destination of an option --out that names a file. A link stays, and its target is written. An existing
-/// destination that is not a regular file (a device, a pipe) and an open descriptor such as /dev/stdout are
-/// written as a stream.
+/// The destination of an option --out that names a file. A link stays, and its target is written.
 class OutputFile {
  public:
   /// Throws UserError if the text does not name a file, or names one that cannot be written. `what` names the
   /// content: "the certificate".
   OutputFile(const std::string& text, const std::string& what);
 
-  /// Whether the content is written as a stream and no file is created.
-  bool is_stream() const { return is_stream_; }
-
-  /// The returned call writes the file or the stream. Throws UserError if the file is a foreign one and not
-  /// to be replaced (`force`).
+  /// The returned call writes the file. Throws UserError if it is a foreign one and not to be replaced
+  /// (`force`).
   std::function<void()> prepare(const std::string& content, bool force, const Checkpoint& checkpoint) const;
 
  private:
-  std::filesystem::path path_;
-  bool is_stream_ = false;
+  std::filesystem::path folder_;
+  std::string name_;
 };
 
 /// The directory of a run.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -72,11 +71,7 @@ Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, cons
 }
 
 std::string progress_line(const std::string& what, double share, double seconds) {
-  constexpr int width = 30;
-  const int full = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
-  std::string line =
-      fmt::format("{} [{}{}] {:.0f} %", what, std::string(static_cast<std::size_t>(full), '#'),
-                  std::string(static_cast<std::size_t>(width - full), '.'), std::floor(share * 100));
+  std::string line = fmt::format("{} {:.0f} %", what, std::floor(share * 100));
   constexpr double least_to_go_by = 0.01;
   if (share >= least_to_go_by)
     line += fmt::format(", {:.0f} s left", std::ceil(seconds * (1 - share) / share));

@@ -43,7 +43,7 @@ std::function<void(double share)> bar(const Checkpoint& checkpoint, const Progre
 Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
                     std::size_t steps);
 
-/// "what [####......] 43 %, 12 s left": a fraction from 0 to 1, and the seconds that it took. The remaining
+/// "what 43 %, 12 s left": a fraction from 0 to 1, and the seconds that it took. The remaining
 /// time is estimated only after enough progress.
 std::string progress_line(const std::string& what, double share, double seconds);
 

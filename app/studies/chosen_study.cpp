@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
@@ -28,17 +30,12 @@ void require_family_options(const FitOptions& options) {
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
   if (study.word) throw UserError(fmt::format("'{}' has one form: leave '{}' out", options.id, *study.word));
-  const char* option = !study.table.empty()                  ? "--table"
-                       : options.present.contains("--value") ? "--value"
-                       : !study.over.empty()                 ? "--over"
-                       : !study.given.empty()                ? "--given"
-                       : !study.definitions.empty()          ? "--let"
-                       : !study.starts.empty()               ? "--start"
-                       : !study.parameters.empty()           ? "--params"
-                       : options.metric.constraints.monotone ? "--monotone"
-                                                             : nullptr;
-  if (option != nullptr)
-    throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
+  constexpr std::array of_studies{"--table", "--value", "--over",   "--given",
+                                  "--let",   "--start", "--params", "--monotone"};
+  for (const char* option : of_studies) {
+    if (options.present.contains(option) || (option == std::string_view("--over") && !study.over.empty()))
+      throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
+  }
 }
 
 /// Options that belong to built-in families.
@@ -52,7 +49,8 @@ void refuse_others(const FitOptions& options, const std::string& with) {
            : options.extinction ? "--extinction"
                                 : "--f0",
            "write the reflectance of the surface as the --target");
-  if (options.present.contains("--domain")) refuse("--domain", "give the range by --over, for example x=0:1");
+  if (options.present.contains("--domain") || options.study.has_domain)
+    refuse("--domain", "give the range by --over, for example x=0:1");
   if (options.present.contains("--measure")) refuse("--measure", "give the density by --over x=0:1:angle");
 }
 
@@ -71,24 +69,15 @@ void change_given(StudyFile& file, const StudyOptions& options) {
   }
 }
 
-/// Whether a study needs a constant: without it, it cannot be read, or has a parameter more.
-bool uses(const StudyFile& file, const std::string& constant) {
-  return std::ranges::any_of(file.forms, [&](const StudyForm& form) {
-    Study without = combinations(file.study, file.given).front();
-    without.form = form.formula;
-    without.given.erase(constant);
-    try {
-      const std::vector<std::string> parameters = read_formulas(without).parameters;
-      return std::ranges::find(parameters, constant) != parameters.end();
-    } catch (const UserError&) {
-      return true;
-    }
-  });
-}
-
 void require_use(const StudyFile& file, const StudyOptions& options) {
+  std::string all = file.study.target + " " + file.study.weight;
+  for (const StudyForm& form : file.forms) all += " " + form.formula;
+  for (const StudyDefinition& definition : file.study.definitions) all += " " + definition.formula;
+  for (const StudyRange& range : file.study.over)
+    all += " " + range.lower + " " + range.upper + " " + range.density;
+  const std::vector<std::string> names = names_in(all);
   for (const auto& [constant, values] : options.given) {
-    if (!uses(file, constant))
+    if (std::ranges::find(names, constant) == names.end())
       throw UserError(fmt::format("--given '{}': no formula of the study has this name", constant));
   }
 }

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "fit/better/results.hpp"
@@ -91,12 +89,6 @@ std::vector<fs::path> study_folders(const std::vector<std::string>& given) {
     std::error_code none;
     if (!fs::is_directory(folder, none))
       throw UserError("--studies '" + folder.string() + "' is not a folder");
-  }
-  if (const char* listed = std::getenv("SHADEFIT_STUDIES")) {
-    std::stringstream list{std::string(listed)};
-    for (std::string folder; std::getline(list, folder, ':');) {
-      if (!folder.empty()) folders.emplace_back(folder);
-    }
   }
   for (const fs::path& own : own_folders()) {
     std::error_code none;
@@ -187,25 +179,6 @@ StudyFile named_study(const std::string& name, const std::vector<fs::path>& fold
     throw UserError(fmt::format("'{0}' is built in, no study: see 'shadefit run --only {0}'", name));
   require_known(name, study_ids(folders), "study");
   return {};
-}
-
-std::vector<fs::path> chosen_studies(const std::vector<std::string>& names,
-                                     const std::vector<fs::path>& folders) {
-  const std::vector<fs::path> all = study_files(folders);
-  if (names.empty()) return all;
-  std::vector<fs::path> chosen;
-  for (const std::string& name : names) {
-    if (name.ends_with(".toml")) {
-      chosen.emplace_back(name);
-      continue;
-    }
-    require_known(name, study_ids(folders), "study");
-    chosen.push_back(*std::ranges::find_if(all, [&](const fs::path& p) { return p.stem() == name; }));
-  }
-  std::ranges::stable_sort(chosen, before);
-  const auto are_same = [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); };
-  chosen.erase(std::unique(chosen.begin(), chosen.end(), are_same), chosen.end());
-  return chosen;
 }
 
 }  // namespace shadefit

@@ -11,9 +11,8 @@
 /// Where studies are found.
 namespace shadefit {
 
-/// The folders with studies, first come first found: those given, those of the environment variable
-/// SHADEFIT_STUDIES (separated by ':'), and the one that came with the command. Throws UserError if a given
-/// one is no folder.
+/// The folders with studies, first come first found: those given, and the one that came with the command.
+/// Throws UserError if a given one is no folder.
 std::vector<std::filesystem::path> study_folders(const std::vector<std::string>& given);
 
 /// The files NAME.toml of these folders, by rising name. A name that a folder before has is left out.
@@ -32,11 +31,6 @@ std::optional<StudyFile> find_study(const std::string& name,
 
 /// The same. Throws UserError for an unknown id, with the nearest one.
 StudyFile named_study(const std::string& name, const std::vector<std::filesystem::path>& folders);
-
-/// The files of these studies, each once, by rising name; without names, of all studies in the folders. A
-/// name is like that of `find_study`. Throws UserError for an unknown id, with the nearest one.
-std::vector<std::filesystem::path> chosen_studies(const std::vector<std::string>& names,
-                                                  const std::vector<std::filesystem::path>& folders);
 
 /// Reads a study from its file. Throws UserError like `read_study_file`, and for a table outside of the
 /// folder of the file.

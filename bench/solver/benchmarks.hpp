@@ -15,7 +15,7 @@ void register_parts();
 /// The ledger, and each of its claims.
 void register_claims();
 
-/// Proofs: certificates, their check, stationary points.
+/// Proofs: certificates and their check.
 void register_proofs();
 
 /// From one fit to 100 000, on one and two threads: time and memory.

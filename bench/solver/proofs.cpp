@@ -7,7 +7,6 @@
 #include "bench/solver/benchmarks.hpp"
 #include "fit/fit.hpp"
 #include "fit/proof/certificate.hpp"
-#include "fit/proof/stationary.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit::bench {
@@ -73,15 +72,6 @@ void register_proofs() {
       if (!reason_to_refuse(certificate).empty()) state.SkipWithError("a certificate was refused");
     }
   });
-  for (const FittableFamily& family : fittable_families()) {
-    // 5: an ordinary exponent, for which the lobe is not cut.
-    const Fit fit = family.fit(Setting(family.has_exponent() ? 5 : 0), {});
-    register_proof("stationary/" + std::string(family.info.id), [fit](benchmark::State& state) {
-      for (auto _ : state) {
-        if (!prove_stationary(fit).is_proven) state.SkipWithError("a stationary point was not proven");
-      }
-    });
-  }
 }
 
 }  // namespace shadefit::bench

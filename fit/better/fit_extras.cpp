@@ -33,14 +33,6 @@ RoundedFit round_one(const FitReport& report, const NumberFormat& format, const 
 
 }  // namespace
 
-FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint) {
-  FitProof proof;
-  if (fit.status == Status::converged)
-    proof.max_abs_error = certify(subject_of(fit), usual_width, checkpoint);
-  proof.stationary = prove_stationary(fit, checkpoint);
-  return proof;
-}
-
 std::vector<RoundedFit> round_fits(const Refit& refit, const NumberFormat& format, bool is_record,
                                    const Checkpoint& next, const Checkpoint& checkpoint) {
   std::vector<RoundedFit> fits;

@@ -4,23 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "fit/proof/certificate.hpp"
-#include "fit/proof/stationary.hpp"
 #include "fit/rounding/rounding.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/refit.hpp"
 
-/// What `fit` adds to the constants on request: proofs and rounded constants.
+/// What `fit` adds to the constants on request: rounded constants.
 namespace shadefit {
-
-/// The proofs of a fit.
-struct FitProof {
-  std::optional<Certified> max_abs_error;  ///< empty if the fit did not converge
-  StationaryPoint stationary;
-};
-
-/// The proofs of `fit --certify`, with the error to `usual_width`.
-FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint);
 
 /// The rounded constants of a fit, or why there are none: the fit did not converge, or the format cannot hold
 /// it.

@@ -16,7 +16,7 @@ namespace shadefit {
 ///
 /// Its variable is mapped to [0, 1], which is cut into panels. On a panel of middle m and radius r the
 /// integral of f is the sum of 2 f_j r^(j+1)/(j+1) over even j < n, where f_j are the Taylor coefficients at
-/// m, and a remainder with f_n enclosed on all of the panel (fit/proof/enclosed_integral.hpp). If f has no
+/// m, and the remainder 2 f_n r^(n+1)/(n+1) with f_n enclosed on all of the panel, n even. If f has no
 /// series, as sqrt(t) at t = 0, it is the panel's length times the range of f. The panel that adds most to
 /// the width is cut first.
 class StudyIntegral {

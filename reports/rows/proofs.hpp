@@ -5,22 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/better/fit_extras.hpp"
+#include "fit/fit.hpp"
+#include "fit/proof/certificate.hpp"
 #include "reports/table/table.hpp"
 
-/// The proofs of forms and fits, as rows and as JSON. Bounds are doubles, rounded outward. Their decimals
+/// The proofs of forms, as rows and as JSON. Bounds are doubles, rounded outward. Their decimals
 /// read back exactly.
 namespace shadefit {
-
-/// One row for each fit.
-Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs);
-
-/// Appends to the JSON of a fit: `certified_max_abs_error`, the `.._at` it may be, `curve`,
-/// `stationary_point`.
-void add_proof_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const FitProof& proof);
-
-/// A line for each fit whose bounds are wider than requested.
-std::string not_reached_lines(const Refit& refit, const std::vector<FitProof>& proofs);
 
 /// A form with constants and its proofs; `from` is their origin: given, published or fitted.
 struct CertifiedForm {

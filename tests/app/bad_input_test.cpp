@@ -14,6 +14,7 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::expect_refusal;
 using testing::TemporaryDirectory;
 
@@ -56,8 +57,9 @@ TEST(BadInput, Exponents) {
                  "--exponent '1:2' is not a range A:B:STEP" + rule);
   expect_refusal({"fit", "fresnel-quadratic", "--exponent", "5"},
                  "--exponent '5' does not apply: fresnel-quadratic has no exponent");
-  expect_refusal({"fit", "sg-offset-mean", "--exponent", "5"},
-                 "--exponent '5' does not apply: sg-offset-mean names its own exponents");
+  expect_refusal(
+      {"fit", "sg-offset-mean"},
+      "'sg-offset-mean' is a mean or a limit of fits, no fit: see 'shadefit explain sg-offset-mean'");
   expect_refusal({"fit", "sg-offset", "--measure", "sine"},
                  "--measure 'sine' is unknown: it must be one of cosine, angle, cosine-weighted");
 }
@@ -304,7 +306,7 @@ TEST(BadInput, AVeryLongValueIsShortened) {
   const std::string shortened = run_command_line({"fit", "sg-offset", "--domain", accents}).err;
   EXPECT_LT(shortened.size(), 1300U);
   EXPECT_EQ(shortened.find("\\x"), std::string::npos) << "no code point was cut in two";
-  EXPECT_NE(shortened.find("\xC3\xA9 .. \xC3\xA9"), std::string::npos);
+  expect_has(shortened, "\xC3\xA9 .. \xC3\xA9");
 }
 
 TEST(BadInput, Usage) {
@@ -317,8 +319,7 @@ TEST(BadInput, Usage) {
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
   expect_refusal({"help", "chekc"}, "unknown command 'chekc': did you mean 'check'?");
   expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
-  expect_refusal({"--completion", "tcsh"},
-                 "--completion 'tcsh' is unknown: it must be one of bash, zsh, man");
+  expect_refusal({"--completion", "tcsh"}, "--completion 'tcsh' must be bash");
   expect_refusal(
       {"fit"},
       "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
@@ -331,28 +332,24 @@ TEST(BadInput, Usage) {
   expect_refusal({"list", "nowhere"}, "no id contains 'nowhere': 'shadefit list' prints all ids");
   expect_refusal({"list", "missing.toml"}, "cannot read 'missing.toml': there is no such file");
   expect_refusal({"list", "schlick", "more"}, "unexpected argument 'more'" + see(" list"));
-  expect_refusal({"run", "--out"}, "--out needs a value: DIR" + see(" run"));
-  expect_refusal({"fit", "sg-offset", "--exponent"}, "--exponent needs a value: K or A:B:STEP" + see(" fit"));
-  expect_refusal({"fit", "sg-offset", "--exponent", "5", "--exponent", "6"},
-                 "--exponent is given 2 times: it takes one value" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--exponent", "--json"},
                  "--exponent '--json' looks like an option: name a value (a path may begin with './')");
   expect_refusal({"fit", "sg-offset", "--json", "--csv"}, "--json excludes --csv" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--json", "--latex"}, "--json excludes --latex" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--csv", "--latex"}, "--csv excludes --latex" + see(" fit"));
-  expect_refusal({"fit", "sg-offset", "--digits", "3"}, "--digits requires --latex" + see(" fit"));
-  expect_refusal({"fit", "sg-offset", "--latex", "--digits", "18"},
-                 "--digits '18' must be a whole number from 1 to 17");
-  expect_refusal({"fit", "sg-offset", "--json=3"}, "'--json=3': --json takes no value");
-  expect_refusal({"list", "--latex", "--json"}, "--json excludes --latex" + see(" list"));
-  expect_refusal(
-      {"list", "--topic", "cooking", "--csv"},
-      "--topic 'cooking' is in no title of a topic: they are Lobes: Blinn-Phong and Phong by a "
-      "spherical Gaussian; Gloss and logarithms; What half, float and double make of a lobe; "
-      "Instruction counts; Other kernels; von Mises-Fisher; Fresnel; Phong and Blinn; Normalisation; "
-      "Environment maps; Spherical harmonics; Materials; Volumes: phase functions; Volumes: dithering "
-      "and marching; Microfacet distributions");
-  expect_refusal({"list", "--family", "sg-ofset"}, "unknown family 'sg-ofset': did you mean 'sg-offset'?");
+  expect_refusal({"list", "--csv", "--json"}, "--json excludes --csv" + see(" list"));
+  expect_refusal({"run", "--html", "--only", "acos-linear"}, "--only excludes --html" + see(" run"));
+  expect_refusal({"fit", "sg-offset", "--json=3"}, "--json takes no value: '--json=3'");
+  // What CLI11 says in its own words.
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"run", "--out"},
+                                                {"fit", "sg-offset", "--exponent"},
+                                                {"fit", "sg-offset", "--exponent", "5", "--exponent", "6"}}) {
+    const Outcome outcome = run_command_line(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words.back();
+    EXPECT_EQ(outcome.out, "") << words.back();
+    EXPECT_TRUE(outcome.err.starts_with("shadefit: " + words[words.size() > 2 ? 2 : 1])) << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with(see(" " + words.front()) + "\n")) << outcome.err;
+  }
 }
 
 }  // namespace

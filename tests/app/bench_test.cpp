@@ -5,7 +5,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/commands/command_line.hpp"
@@ -42,17 +41,14 @@ std::string refusal(const std::vector<std::string>& arguments) {
 TEST(BenchCommand, WritesTimesReportAndPictureData) {
   const TemporaryDirectory directory;
   const std::string out = directory / "out";
-  const Outcome outcome = bench({"--quick", "--no-plots", "--only", "schlick", "--out", out, "--json"});
+  const Outcome outcome = bench({"--quick", "--no-plots", "--only", "schlick", "--out", out});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto parsed = nlohmann::json::parse(outcome.out);
-  EXPECT_GT(parsed.size(), 100U);
-  EXPECT_GT(parsed.back().at("ns_per_element"), 0);
   const auto files = snapshot(out);
   EXPECT_TRUE(files.contains("bench.md"));
   ASSERT_TRUE(files.contains("bench.csv"));
   EXPECT_FALSE(files.contains("plots"));
   const CsvTable csv = parse_csv(files.at("bench.csv"), "bench.csv");
-  EXPECT_EQ(csv.rows.size(), parsed.size());
+  EXPECT_GT(csv.rows.size(), 100U);
   std::set<std::string> targets, degrees;
   for (const auto& row : csv.rows) {
     targets.insert(row[0]);
@@ -186,11 +182,11 @@ TEST(ExhaustiveCommand, ASignalEndsTheProcessAndNothingIsWritten) {
   }
 }
 
-TEST(Progress, ALineHasABarAPercentageAndWhatIsLeft) {
-  EXPECT_EQ(progress_line("bench", 0, 0), "bench [..............................] 0 %");
-  EXPECT_EQ(progress_line("bench", 0.5, 7), "bench [###############...............] 50 %, 7 s left");
-  EXPECT_EQ(progress_line("bench", 1, 7), "bench [##############################] 100 %, 0 s left");
-  EXPECT_EQ(progress_line("bench", 0.999, 1).substr(38), " 99 %, 1 s left") << "100 % is the whole";
+TEST(Progress, ALineHasAPercentageAndWhatIsLeft) {
+  EXPECT_EQ(progress_line("bench", 0, 0), "bench 0 %");
+  EXPECT_EQ(progress_line("bench", 0.5, 7), "bench 50 %, 7 s left");
+  EXPECT_EQ(progress_line("bench", 1, 7), "bench 100 %, 0 s left");
+  EXPECT_EQ(progress_line("bench", 0.999, 1), "bench 99 %, 1 s left") << "100 % is the whole";
 }
 
 TEST(Progress, IsSilentWhereThereIsNoTerminal) {

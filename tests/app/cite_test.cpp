@@ -5,26 +5,28 @@
 #include "app/commands/command_line.hpp"
 #include "app/studies/find_study.hpp"
 #include "reports/io/files.hpp"
+#include "tests/app/refusal.hpp"
 
 namespace shadefit {
 namespace {
+
+using testing::expect_has;
 
 TEST(Cite, HasTheVersionAndTitleOfCitationCff) {
   const std::string version = run_command_line({"--version"}).out.substr(std::string("shadefit ").size());
   const std::string citation = read_file(SHADEFIT_SOURCE_DIR "/CITATION.cff");
   const std::string title = "shadefit: refitted and checked approximation constants of real-time shading";
-  EXPECT_NE(citation.find("\nversion: " + version), std::string::npos) << version;
-  EXPECT_NE(citation.find("title: \"" + title + "\""), std::string::npos);
+  expect_has(citation, "\nversion: " + version);
+  expect_has(citation, "title: \"" + title + "\"");
   const std::string bibtex = run_command_line({"cite"}).out;
-  EXPECT_NE(bibtex.find("version = {" + version.substr(0, version.size() - 1) + "}"), std::string::npos)
-      << bibtex;
-  EXPECT_NE(bibtex.find(title), std::string::npos) << bibtex;
+  expect_has(bibtex, "version = {" + version.substr(0, version.size() - 1) + "}");
+  expect_has(bibtex, title);
 }
 
 TEST(Cite, AnIdAddsItsSources) {
   const Outcome outcome = run_command_line({"cite", "fresnel-quadratic-a"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.out.find("\n@misc{lagarde2012sphericalgaussian,\n"), std::string::npos) << outcome.out;
+  expect_has(outcome.out, "\n@misc{lagarde2012sphericalgaussian,\n");
 }
 
 TEST(Cite, AStudyAddsTheSourcesOfItsPublishedSets) {
@@ -77,7 +79,7 @@ TEST(Cite, EveryStudyOfTheProjectHasFields) {
 
 TEST(Cite, KnowsTheIdsOfLint) {
   for (const char* id : {"luma-709", "srgb-decode-standard", "fresnel-quadratic"})
-    EXPECT_NE(run_command_line({"cite", id}).out.find("\n@misc{"), std::string::npos) << id;
+    expect_has(run_command_line({"cite", id}).out, "\n@misc{");
 }
 
 }  // namespace

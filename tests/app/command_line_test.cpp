@@ -16,12 +16,14 @@
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/app/refusal.hpp"
 #include "tests/references.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::is_close;
 using testing::TemporaryDirectory;
 
@@ -85,16 +87,6 @@ TEST(FitCommand, ASweepIsAnArray) {
 TEST(FitCommand, PublishedConstantsNameTheirOwnFit) {
   EXPECT_EQ(fit_json({"sg-offset-k5"})["exponent"], 5.0);
   EXPECT_EQ(fit_json({"fresnel-quadratic-b"})["constant"], "fresnel-quadratic");
-  const auto mean = fit_json({"sg-offset-mean"});
-  EXPECT_TRUE(
-      is_close("mean", Decimal50("0.775364258522491148"), mean["parameters"]["x"].get<double>(), 1e-14));
-  EXPECT_EQ(mean["verdict"], "confirmed");
-  const auto limit = fit_json({"sg-offset-limit", "--measure", "angle"});
-  EXPECT_NEAR(limit["parameters"]["x"].get<double>(), 0.625, 1e-14);
-  EXPECT_EQ(limit["verdict"], "other-objective");
-  const auto somewhere = fit_json({"phong-blinn-gotanda", "--measure", "angle"});
-  EXPECT_EQ(somewhere["verdict"], "conditional");
-  EXPECT_NEAR(somewhere["assessments"][0]["holds_for"]["exactly"].get<double>(), 6.60, 0.005);
 }
 
 TEST(FitCommand, ExactTarget) {
@@ -130,30 +122,15 @@ TEST(FitCommand, CsvAndConsole) {
   EXPECT_EQ(console.exit_code, 0);
   EXPECT_TRUE(
       console.out.starts_with("sg-offset: c^k ~ exp((k + x) (c - 1)), cosine measure, least squares\n"));
-  EXPECT_NE(console.out.find("0.78754461967478"), std::string::npos);
-  EXPECT_NE(console.out.find("0.788"), std::string::npos);
-  EXPECT_NE(run_command_line({"fit", "sg-offset-mean"}).out.find("0.77536425852249"), std::string::npos);
-  EXPECT_NE(run_command_line({"fit", "sg-offset-mean", "--csv"}).out.find("x_mean"), std::string::npos);
+  expect_has(console.out, "0.78754461967478");
+  expect_has(console.out, "0.788");
 }
 
 TEST(FitCommand, Latex) {
   const Outcome one = run_command_line({"fit", "fresnel-quadratic", "--latex"});
   EXPECT_EQ(one.exit_code, 0);
-  EXPECT_NE(one.out.find("\\begin{tabular}{rrlrrrrll}\n"), std::string::npos) << one.out;
-  EXPECT_NE(one.out.find("$-5.5547278"), std::string::npos) << one.out;
-  EXPECT_NE(run_command_line({"fit", "sg-offset-mean", "--latex"}).out.find("x\\_mean"), std::string::npos);
-}
-
-TEST(FitCommand, LatexDigits) {
-  const Outcome three = run_command_line({"fit", "fresnel-quadratic", "--latex", "--digits", "3"});
-  EXPECT_EQ(three.exit_code, 0) << three.err;
-  EXPECT_NE(three.out.find("$-5.55$ & $-6.98$"), std::string::npos) << three.out;
-  EXPECT_NE(three.out.find("$-5.55473$, $-6.98316$"), std::string::npos) << "as published: " << three.out;
-  const Outcome mean = run_command_line({"fit", "sg-offset-mean", "--latex", "--digits", "4"});
-  EXPECT_NE(mean.out.find("$0.7754$"), std::string::npos) << mean.out;
-  const Outcome better = run_command_line({"better", "sg-offset-k5", "--latex", "--digits", "2"});
-  EXPECT_NE(better.out.find("$x = 0.775$"), std::string::npos) << "as published: " << better.out;
-  EXPECT_EQ(better.out.find("$x = 0.7875"), std::string::npos) << better.out;
+  expect_has(one.out, "\\begin{tabular}{rrlrrrrll}\n");
+  expect_has(one.out, "$-5.5547278");
 }
 
 TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
@@ -175,17 +152,12 @@ TEST(FitCommand, MinimaxSaysWhatItFound) {
   const Outcome text =
       run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative"});
   EXPECT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_NE(text.out.find("minimax relative error; the cosine measure counts for the rms error alone"),
-            std::string::npos)
-      << text.out;
-  EXPECT_NE(text.out.find(
-                "Level 0.02806530078, the error is + at c = 0.693332, - at c = 0.410036, + at c = 0.11586"),
-            std::string::npos)
-      << text.out;
+  expect_has(text.out, "minimax relative error; the cosine measure counts for the rms error alone");
+  expect_has(text.out,
+             "Level 0.02806530078, the error is + at c = 0.693332, - at c = 0.410036, + at c = 0.11586");
   const Outcome bound = run_command_line(
       {"fit", "sg-scaled", "--exponent", "5", "--norm", "minimax", "--at-most", "1", "--fix", "x=0.75"});
-  EXPECT_NE(bound.out.find("The optimum sits on the constraint form <= 1 at c = 1\n"), std::string::npos)
-      << bound.out << bound.err;
+  expect_has(bound.out, "The optimum sits on the constraint form <= 1 at c = 1\n");
 
   const Outcome outcome =
       run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative", "--f0",
@@ -218,7 +190,7 @@ TEST(FitCommand, LeastSquaresTakesGivenParametersAndRelativeErrors) {
   EXPECT_EQ(parsed["objective"]["measure_counts_for"], "the fit");
   EXPECT_TRUE(parsed["level"].is_null());
   const Outcome csv = run_command_line({"fit", "fresnel-quadratic", "--fix", "b=-7", "--csv"});
-  EXPECT_NE(csv.out.find("least-squares, b = -7"), std::string::npos) << csv.out;
+  expect_has(csv.out, "least-squares, b = -7");
 }
 
 TEST(ListCommand, NamesEveryClaimOnce) {
@@ -229,14 +201,13 @@ TEST(ListCommand, NamesEveryClaimOnce) {
   std::size_t claims = 0;
   for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
-      EXPECT_NE(outcome.out.find("\n" + std::string(claim.id) + " "), std::string::npos) << claim.id;
+      expect_has(outcome.out, "\n" + std::string(claim.id) + " ");
       EXPECT_EQ(parsed["constants"][claims++]["id"], claim.id);
     }
   }
   for (const FittableFamily& family : fittable_families()) {
     if (!family.info.is_comparison) continue;
-    EXPECT_NE(outcome.out.find("\n" + std::string(family.info.id) + " "), std::string::npos)
-        << family.info.id;
+    expect_has(outcome.out, "\n" + std::string(family.info.id) + " ");
     EXPECT_EQ(parsed["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
   }
   EXPECT_EQ(parsed["constants"].size(), claims + known_study_files(study_folders({})).size());
@@ -254,13 +225,8 @@ TEST(ListCommand, TakesAnIdOrAFile) {
   EXPECT_EQ(ids("acos-l"), std::vector<std::string>{"acos-linear"});
   EXPECT_EQ(ids("fresnel-quad"), (std::vector<std::string>{"fresnel-quadratic", "fresnel-quadratic-at-1"}));
   EXPECT_EQ(ids(SHADEFIT_SOURCE_DIR "/studies/acos-linear.toml"), std::vector<std::string>{"acos-linear"});
-}
-
-TEST(ListCommand, Latex) {
-  const Outcome outcome = run_command_line({"list", "--latex"});
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.out.find("\\begin{tabular}{llll}\n"), std::string::npos);
-  EXPECT_NE(outcome.out.find("$c^{k} \\approx A e^{"), std::string::npos) << outcome.out;
+  EXPECT_EQ(parse_csv(run_command_line({"list", "--csv"}).out, "list").rows.size(),
+            nlohmann::json::parse(run_command_line({"list", "--json"}).out)["constants"].size());
 }
 
 TEST(ListCommand, FiltersByVerdict) {
@@ -330,7 +296,7 @@ TEST(RunCommand, OnlyOneClaim) {
   const Outcome outcome =
       run_command_line({"run", "--out", directory / "out", "--only", "gloss-ln2-over-8", "--no-plots"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("Ledger: 1 claim: 1 confirmed"), std::string::npos) << outcome.out;
+  expect_has(outcome.out, "Ledger: 1 claim: 1 confirmed");
   EXPECT_TRUE(parse_csv(read_file(directory / "out/fits.csv"), "f").rows.empty());
 }
 
@@ -346,7 +312,7 @@ std::pair<std::size_t, std::string> fits_and_report(const std::string& id) {
 TEST(RunCommand, OnlyTheFitsThatANumberNeeds) {
   const auto [of_k5, k5_report] = fits_and_report("sg-offset-k5");
   EXPECT_EQ(of_k5, 3U) << "k = 5 under three measures";
-  EXPECT_NE(k5_report.find("`sg-offset-k5`"), std::string::npos);
+  expect_has(k5_report, "`sg-offset-k5`");
   EXPECT_EQ(k5_report.find("`sg-offset-mean`"), std::string::npos) << "another number of the family";
   EXPECT_EQ(fits_and_report("sg-offset-mean").first, 42U) << "k = 3 to 15 and the mean, three measures";
   EXPECT_EQ(fits_and_report("sg-offset-limit").first, 6U) << "k = 1e6 and the limit, three measures";
@@ -367,11 +333,8 @@ TEST(CheckCommand, PassesOnTheCommittedBaselineAndFailsOnAChangedDigit) {
   directory.file("fits.csv", fits);
   const Outcome bad = run_command_line({"check", "--baseline", directory.path().string()});
   EXPECT_EQ(bad.exit_code, 1);
-  EXPECT_NE(
-      bad.out.find(
-          "fits.csv  sg-offset x 5 cosine  fitted  0.7875446198  0.7875446197  moves the curve by up to"),
-      std::string::npos)
-      << bad.out;
+  expect_has(bad.out,
+             "fits.csv  sg-offset x 5 cosine  fitted  0.7875446198  0.7875446197  moves the curve by up to");
   EXPECT_TRUE(bad.out.ends_with("check failed: 1 difference from " + directory.path().string() + "\n"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()),
                           std::filesystem::directory_iterator()),
@@ -391,7 +354,7 @@ TEST(CommandLine, HelpAndVersion) {
     EXPECT_FALSE(outcome.out.empty());
     EXPECT_EQ(outcome.err, "");
   }
-  EXPECT_NE(run_command_line({"fit", "--help"}).out.find("--exponent"), std::string::npos);
+  expect_has(run_command_line({"fit", "--help"}).out, "--exponent");
   EXPECT_EQ(run_command_line({"--version"}).out, "shadefit 0.1.0\n");
 }
 

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -76,7 +75,7 @@ TEST(Emit, ANumberWithoutExponents) {
 TEST(Emit, FittedConstantsSayHow) {
   const std::string code = emitted(
       {"fresnel-quadratic", "--lang", "wgsl", "--norm", "minimax", "--target", "exact", "--ior", "1.5"});
-  EXPECT_TRUE(holds(code, "--norm minimax --target exact --ior 1.5\n")) << code;
+  EXPECT_TRUE(holds(code, "--target exact --ior 1.5 --norm minimax\n")) << code;
 }
 
 // For alpha = 1 the albedo of GGX is 1 - c log(1 + 1/c): at c = 1 it is 1 - log 2.
@@ -213,9 +212,6 @@ TEST(Emit, ChecksSeveralFilesAndNamesEachThatIsOld) {
   EXPECT_EQ(outcome.err, "shadefit: " + call[2] +
                              " is out of date: line 11 is not what shadefit generates now; " + call[4] +
                              " is out of date: line 11 is not what shadefit generates now\n");
-  call.insert(call.end(), {"--format", "json"});
-  const auto report = nlohmann::json::parse(run_command_line(call).out);
-  EXPECT_EQ(report["findings"].size(), 2U) << report;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::snapshot;
@@ -29,25 +30,22 @@ TEST(Pole, AFitThatEndsAtTheBorderSaysSo) {
   fit.insert(fit.end(), metal.begin(), metal.end());
   const Outcome text = run(fit, {"--norm", "minimax"});
   EXPECT_EQ(text.exit_code, 1);
-  EXPECT_NE(
-      text.err.find("fresnel-rational did not converge: at-border: the way down leads to the border of the "
-                    "admissible parameters, which is 1 + a c > 0 for c in [0, 1]"),
-      std::string::npos)
-      << text.err;
+  expect_has(text.err,
+             "fresnel-rational did not converge: at-border: the way down leads to the border of the "
+             "admissible parameters, which is 1 + a c > 0 for c in [0, 1]");
   const Outcome machine = run(fit, {"--norm", "minimax", "--json"});
   const nlohmann::json told = nlohmann::json::parse(machine.out);
   EXPECT_EQ(machine.exit_code, 1);
   EXPECT_EQ(told["status"], "at-border");
   EXPECT_TRUE(told["parameters"]["a"].is_null());
-  EXPECT_NE(told["why"].get<std::string>().find("1 + a c > 0"), std::string::npos);
+  expect_has(told["why"].get<std::string>(), "1 + a c > 0");
 }
 
 TEST(Pole, ConstraintsThatNoAdmissibleParameterMeets) {
   const Outcome outcome = run_command_line({"fit", "fresnel-rational", "--target", "exact", "--ior", "1.5",
                                             "--norm", "minimax", "--one-sided", "above"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("cannot satisfy the constraints, form >= target"), std::string::npos)
-      << outcome.err;
+  expect_has(outcome.err, "cannot satisfy the constraints, form >= target");
 }
 
 TEST(Pole, GivenParametersWithOneAreRefused) {
@@ -73,8 +71,7 @@ TEST(Pole, NothingIsEmittedOfAFitThatHasNoAnswer) {
   const Outcome outcome = run(emit, {"--norm", "minimax", "--lang", "glsl"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_NE(outcome.err.find("its fit did not converge (the way down leads to the border"), std::string::npos)
-      << outcome.err;
+  expect_has(outcome.err, "its fit did not converge (the way down leads to the border");
 }
 
 // exp2(2000 c) is beyond any double: an upper bound of infinity proves nothing.
@@ -118,8 +115,7 @@ TEST(ExactFit, IsPrintedWithoutAnAlternation) {
   const Outcome outcome = run_command_line({"fit", "fresnel-one-term", "--target", "exact", "--ior", "0.853",
                                             "--domain", "0:0.298", "--norm", "minimax"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("\nLevel 0: the form is its target on all of the domain\n"), std::string::npos)
-      << outcome.out;
+  expect_has(outcome.out, "\nLevel 0: the form is its target on all of the domain\n");
 }
 
 }  // namespace

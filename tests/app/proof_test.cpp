@@ -18,6 +18,7 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::TemporaryDirectory;
@@ -44,21 +45,16 @@ TEST(Certify, WritesACertificateThatHolds) {
   const std::string file = directory / "pair.json";
   const Outcome made = run_command_line({"certify", "fresnel-quadratic", "--width", "1e-12", "--out", file});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.out.find("published"), std::string::npos);
+  expect_has(made.out, "published");
   const Outcome holds = run_command_line({"verify", file});
   EXPECT_EQ(holds.exit_code, 0) << holds.err;
-  EXPECT_NE(holds.out.find("holds: the largest absolute error of exp2((a c + b) c) is in [0.0037664127395"),
-            std::string::npos)
-      << holds.out;
+  expect_has(holds.out, "holds: the largest absolute error of exp2((a c + b) c) is in [0.0037664127395");
   // The statement, with constants as numbers.
-  EXPECT_NE(holds.out.find("\n  form     exp2(((-5.55473) c + (-6.98316)) c)\n  target   (1 - c)^5\n"
-                           "  error    absolute: form - target\n  domain   c from 0 to 1\n"
-                           "  largest  at least 0.0037664127395"),
-            std::string::npos)
-      << holds.out;
-  EXPECT_NE(holds.out.find("\n  proven   the form rises with the angle, is non-negative, is at most 1\n"),
-            std::string::npos)
-      << holds.out;
+  expect_has(holds.out,
+             "\n  form     exp2(((-5.55473) c + (-6.98316)) c)\n  target   (1 - c)^5\n"
+             "  error    absolute: form - target\n  domain   c from 0 to 1\n"
+             "  largest  at least 0.0037664127395");
+  expect_has(holds.out, "\n  proven   the form rises with the angle, is non-negative, is at most 1\n");
 }
 
 /// Exponent, surface and the kind of error are part of the statement.
@@ -110,7 +106,7 @@ TEST(Verify, RefusesWithTheReason) {
   fields["parameters"]["a"] = "-5.55437";
   const Outcome changed = run_command_line({"verify", directory.file("changed.json", fields.dump(1))});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_NE(changed.err.find("is refused: its digest is"), std::string::npos) << changed.err;
+  expect_has(changed.err, "is refused: its digest is");
   // A false bound with a new digest: the mathematics refuses it.
   Certificate certificate = read_certificate(text, file).certificate;
   certificate.upper = certificate.lower;
@@ -119,7 +115,7 @@ TEST(Verify, RefusesWithTheReason) {
   const Outcome wrong =
       run_command_line({"verify", directory.file("false.json", certificate_text(certificate))});
   EXPECT_EQ(wrong.exit_code, 1);
-  EXPECT_NE(wrong.err.find("is refused: the error may exceed"), std::string::npos) << wrong.err;
+  expect_has(wrong.err, "is refused: the error may exceed");
   const std::string half = text.substr(0, text.size() / 2);
   const std::string cut = directory.file("cut.json", half);
   const std::string cut_line = fmt::format("{}, column {}", std::count(half.begin(), half.end(), '\n') + 1,
@@ -132,22 +128,6 @@ TEST(Verify, RefusesWithTheReason) {
                  "cannot read '" + sparse + "': it has 1073741824 bytes, more than 4194304");
   const std::string none = directory / "none.json";
   EXPECT_EQ(run_command_line({"verify", none}).exit_code, 2);
-}
-
-TEST(Fit, CertifyAddsProofs) {
-  const nlohmann::json fit = json_of({"fit", "fresnel-quadratic", "--certify"});
-  // The search in doubles rounds: the proof is more accurate below its last digits.
-  EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"].get<double>() * (1 + 1e-13));
-  EXPECT_GE(fit["certified_max_abs_error"][1], fit["max_abs_error"]);
-  EXPECT_EQ(fit["stationary_point"]["unique"], true);
-  EXPECT_EQ(fit["stationary_point"]["minimum"], true);
-  EXPECT_LE(fit["stationary_point"]["box"]["a"][0], fit["parameters"]["a"]);
-  EXPECT_GE(fit["stationary_point"]["box"]["a"][1], fit["parameters"]["a"]);
-  EXPECT_EQ(fit["curve"]["at most 1"], "proven");
-  const Outcome text = run_command_line({"fit", "sg-offset", "--exponent", "5", "--certify"});
-  EXPECT_NE(text.out.find("one minimum, x in ["), std::string::npos) << text.out;
-  EXPECT_FALSE(nlohmann::json::parse(run_command_line({"fit", "fresnel-quadratic", "--json"}).out)
-                   .contains("certified_max_abs_error"));
 }
 
 TEST(BadInput, Certificates) {
@@ -176,10 +156,8 @@ TEST(BadInput, Certificates) {
                  "--out 'x.json' takes one certificate, not 21: name one --exponent");
   expect_refusal({"certify", "fresnel-quadratic", "--out", "."},
                  "--out '.' names no file for the certificate");
-  expect_refusal(
-      {"fit", "sg-offset-mean", "--certify"},
-      "--certify does not apply: sg-offset-mean is a mean or a limit of fits; see 'shadefit certify "
-      "sg-offset-mean'");
+  expect_refusal({"fit", "fresnel-quadratic", "--certify"},
+                 "--certify belongs to a study or --form: see 'shadefit certify fresnel-quadratic'");
 }
 
 }  // namespace

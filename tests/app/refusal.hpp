@@ -14,7 +14,7 @@ namespace shadefit::testing {
 /// the command, unless it already says what to see.
 inline std::string line_of_error(const std::vector<std::string>& arguments, const std::string& line) {
   const std::string command = arguments.empty() ? "-" : arguments.front();
-  const bool is_of_option = line.starts_with("--") || line.starts_with("'--");
+  const bool is_of_option = line.starts_with("--");
   const bool points = (is_of_option || line.starts_with(command + " needs ")) && !command.starts_with('-') &&
                       line.find("see 'shadefit ") == std::string::npos;
   return "shadefit: " + line + (points ? " (see 'shadefit help " + command + "')\n" : "\n");
@@ -26,6 +26,14 @@ inline void expect_refusal(const std::vector<std::string>& arguments, const std:
   EXPECT_EQ(outcome.exit_code, 2) << line;
   EXPECT_EQ(outcome.out, "") << line;
   EXPECT_EQ(outcome.err, line_of_error(arguments, line));
+}
+
+/// A text has a part, or does not.
+inline void expect_has(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "without '" << part << "':\n" << text;
+}
+inline void expect_lacks(const std::string& text, const std::string& part) {
+  EXPECT_EQ(text.find(part), std::string::npos) << "with '" << part << "':\n" << text;
 }
 
 /// What a command prints with --json; the command has to succeed.

@@ -13,6 +13,8 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::expect_refusal;
 using testing::snapshot;
 using testing::TemporaryDirectory;
@@ -28,7 +30,7 @@ TEST(SceneCommand, SaysWhatIsNeeded) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("2 materials, 1 light, tolerance 0.003922 in linear values\n\nterm "))
       << outcome.out;
-  EXPECT_NE(outcome.out.find("skipped for 1 of 2 materials"), std::string::npos) << outcome.out;
+  expect_has(outcome.out, "skipped for 1 of 2 materials");
   EXPECT_EQ(snapshot(directory.path()).size(), 1U) << "nothing is written unless it is asked for";
 }
 
@@ -37,8 +39,8 @@ TEST(SceneCommand, WritesThePlan) {
   const std::string file = directory.file("a.mtl", two_materials);
   const Outcome outcome = run_command_line({"scene", file, "--out", directory / "plan", "--lights", "4"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.ends_with("\nPlan: " + (directory / "plan") +
-                                    ": scene.md, scene.csv, scene.json, scene.glsl, scene.hlsl, scene.hpp\n"))
+  EXPECT_TRUE(
+      outcome.out.ends_with("\nPlan: " + (directory / "plan") + ": scene.md, scene.csv, scene.json\n"))
       << outcome.out;
   const auto written = nlohmann::json::parse(read_file(directory / "plan/scene.json"));
   EXPECT_EQ(written.at("lights"), 4);
@@ -50,31 +52,21 @@ TEST(SceneCommand, WritesThePlan) {
   EXPECT_TRUE(read_file(directory / "plan/scene.md").starts_with("# What this scene needs\n"));
   const Outcome printed = run_command_line({"scene", file, "--json", "--lights", "4"});
   EXPECT_EQ(printed.out, read_file(directory / "plan/scene.json"));
-  const Outcome code = run_command_line({"scene", file, "--lights", "4", "--lang", "hlsl"});
-  const auto below_command = [](const std::string& text) { return text.substr(text.find("\n//\n")); };
-  EXPECT_EQ(below_command(code.out), below_command(read_file(directory / "plan/scene.hlsl")));
-  // C++ has no half
-  run_command_line({"scene", file, "--out", directory / "half", "--precision", "half"});
-  EXPECT_FALSE(snapshot(directory.path()).contains("half/scene.hpp"));
-  EXPECT_TRUE(snapshot(directory.path()).contains("half/scene.hlsl"));
 }
 
 TEST(SceneCommand, CodeIsHeldAgainstItsScene) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("a scene.mtl", two_materials);
-  const Outcome outcome = run_command_line({"scene", file, "--out", directory / "plan", "--codes", "0.5"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::string code = directory / "plan/scene.glsl";
-  EXPECT_NE(read_file(code).find("\n// shadefit scene '../a scene.mtl' --codes 0.5 --lang glsl\n"),
-            std::string::npos)
-      << read_file(code);
+  const Outcome printed = run_command_line({"scene", file, "--codes", "0.5", "--lang", "glsl"});
+  expect_has(printed.out, "\n// shadefit scene '" + file + "' --codes 0.5 --lang glsl\n");
+  const std::string code = directory.file("scene.glsl", printed.out);
   const Outcome same = run_command_line({"emit", "--check", code});
   EXPECT_EQ(same.out, code + " is what would be generated now\n") << same.err;
   EXPECT_EQ(same.exit_code, 0);
   directory.file("a scene.mtl", "newmtl floor\nNs 2\nKs 0.5 0.5 0.5\nillum 2\n");
   const Outcome other = run_command_line({"emit", "--check", code});
   EXPECT_EQ(other.exit_code, 1);
-  EXPECT_NE(other.err.find(" is out of date: line "), std::string::npos) << other.err;
+  expect_has(other.err, " is out of date: line ");
 }
 
 // Names that could leave the comment, or the command that is read from it.
@@ -96,7 +88,7 @@ TEST(SceneCommand, NamesStayInTheirComment) {
        {"a\nint evil;\n.mtl", "cr\rx.mtl", "bidi\xE2\x80\xAE.mtl", "ls\xE2\x80\xA8.mtl"}) {
     const Outcome outcome = run_command_line({"scene", directory.file(name, two_materials), "--lang", "c"});
     EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-    EXPECT_NE(outcome.err.find("cannot stand in a comment of code"), std::string::npos) << outcome.err;
+    expect_has(outcome.err, "cannot stand in a comment of code");
   }
 }
 
@@ -117,23 +109,8 @@ TEST(SceneCommand, TheRecordedCommandIsAShells) {
         "call.sh", "cd '" + (directory / "scene") + "'\nPATH='" + (directory / "bin") + "' \n" + line + "\n");
     const auto before = snapshot(directory / "scene");
     ASSERT_EQ(std::system(("sh '" + script + "' > '" + (directory / "said") + "'").c_str()), 0) << line;
-    EXPECT_EQ(read_file(directory / "said"),
-              "scene\n" + std::filesystem::canonical(file).string() + "\n--lang\nglsl\n")
-        << line;
+    EXPECT_EQ(read_file(directory / "said"), "scene\n" + file + "\n--lang\nglsl\n") << line;
     EXPECT_EQ(snapshot(directory / "scene"), before) << line;
-  }
-}
-
-// Code and scene can be moved together, and checked from anywhere.
-TEST(SceneCommand, CodeFindsItsSceneFromItsOwnFolder) {
-  const TemporaryDirectory directory;
-  const std::string scene = directory.file("project/models/a.mtl", two_materials);
-  EXPECT_EQ(run_command_line({"scene", scene, "--out", directory / "project/code"}).exit_code, 0);
-  std::filesystem::rename(directory / "project", directory / "moved");
-  for (const char* name : {"scene.glsl", "scene.hlsl", "scene.hpp"}) {
-    const Outcome same =
-        run_command_line({"emit", "--check", directory / (std::string("moved/code/") + name)});
-    EXPECT_EQ(same.exit_code, 0) << same.err;
   }
 }
 
@@ -147,19 +124,8 @@ TEST(SceneCommand, NamesAreTextInThePlan) {
   const std::string plan = read_file(directory / "plan/scene.md");
   for (const char* part :
        {"<img", "<b>", "<!--", "a](", "d](", "k](", "://b", "://l", "www.", "*f*", "_g_", "`h`"})
-    EXPECT_EQ(plan.find(part), std::string::npos) << part << plan;
-  EXPECT_NE(plan.find("&lt;img/src=x/onerror=y&gt;\\[a\\]"), std::string::npos) << plan;
-}
-
-TEST(SceneCommand, LeavesNothingOfAnotherPlan) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.file("a.mtl", two_materials);
-  run_command_line({"scene", file, "--out", directory / "plan"});
-  directory.file("plan/mine", "of the user\n");
-  run_command_line({"scene", file, "--out", directory / "plan", "--precision", "half"});
-  const auto left = snapshot(directory / "plan");
-  EXPECT_FALSE(left.contains("scene.hpp"));
-  EXPECT_TRUE(left.contains("mine"));
+    expect_lacks(plan, part);
+  expect_has(plan, "&lt;img/src=x/onerror=y&gt;\\[a\\]");
 }
 
 TEST(SceneCommand, ListsTheFeatures) {
@@ -182,7 +148,7 @@ TEST(SceneCommand, ListsTheFeatures) {
   for (const char* option : {"--lang", "--out"}) {
     const Outcome refused = run_command_line({"scene", a, "--features", option, "glsl"});
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find(" excludes "), std::string::npos) << refused.err;
+    expect_has(refused.err, " excludes ");
   }
 }
 
@@ -191,7 +157,7 @@ TEST(SceneCommand, ExitsOneBeyondTheTolerance) {
   const std::string file = directory.file("a.mtl", "newmtl mirror\nNs 1000000\nKs 1 1 1\nillum 2\n");
   const Outcome outcome = run_command_line({"scene", file, "--precision", "half"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find(" of 0.003922: NOT within the tolerance.\n"), std::string::npos) << outcome.out;
+  expect_has(outcome.out, " of 0.003922: NOT within the tolerance.\n");
 }
 
 TEST(SceneCommand, BadInput) {
@@ -223,13 +189,12 @@ TEST(SceneCommand, TheLeastRoughnessIsRecorded) {
       "a.gltf", R"({"asset":{"version":"2.0"},"materials":[{"name":"a","pbrMetallicRoughness":)"
                 R"({"roughnessFactor":0.01}},{"name":"b"}],"meshes":[{"primitives":[{"material":0}]}]})");
   const Outcome plain = run_command_line({"scene", file});
-  EXPECT_NE(plain.out.find(": --min-roughness takes it for more\n"), std::string::npos) << plain.out;
-  EXPECT_NE(plain.out.find("\nNote: 'b': nothing is drawn with it, and it is not counted\n"),
-            std::string::npos);
+  expect_has(plain.out, ": --min-roughness takes it for more\n");
+  expect_has(plain.out, "\nNote: 'b': nothing is drawn with it, and it is not counted\n");
   const Outcome floored = run_command_line({"scene", file, "--min-roughness", "0.045"});
-  EXPECT_NE(floored.out.find("\nNote: a roughness below 0.045 is taken for it\n"), std::string::npos);
+  expect_has(floored.out, "\nNote: a roughness below 0.045 is taken for it\n");
   const Outcome code = run_command_line({"scene", file, "--min-roughness", "0.045", "--lang", "glsl"});
-  EXPECT_NE(code.out.find(" --min-roughness 0.045 --lang glsl\n"), std::string::npos) << code.out;
+  expect_has(code.out, " --min-roughness 0.045 --lang glsl\n");
   EXPECT_NE(code.out, run_command_line({"scene", file, "--lang", "glsl"}).out);
   EXPECT_EQ(run_command_line({"emit", "--check", directory.file("a.glsl", code.out)}).exit_code, 0);
   const auto printed = nlohmann::json::parse(run_command_line({"scene", file, "--json"}).out);

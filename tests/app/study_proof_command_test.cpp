@@ -12,6 +12,7 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::TemporaryDirectory;
@@ -55,12 +56,11 @@ TEST(CertifyStudy, PrintsEachGivenConstantAndInexactEnds) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out.substr(0, outcome.out.find('\n')),
             "a x ~ sin(k x), x in 0:pi/2, absolute error, proven in 168 bits");
-  EXPECT_NE(outcome.out.find("\n1  0x"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\n2  "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nx ends at 1.5707963267948966 = 0x1.921fb54442d18p+0, the double nearest to "
-                             "pi/2.\n"),
-            std::string::npos)
-      << outcome.out;
+  expect_has(outcome.out, "\n1  0x");
+  expect_has(outcome.out, "\n2  ");
+  expect_has(outcome.out,
+             "\nx ends at 1.5707963267948966 = 0x1.921fb54442d18p+0, the double nearest to "
+             "pi/2.\n");
 }
 
 // Unless an option asks for a fit, the constants are those that were published for the form.
@@ -79,7 +79,7 @@ TEST(CertifyStudy, TakesThePublishedConstantsOfANamedStudy) {
   const Outcome each = run_command_line({"certify", "hg-schlick"});
   EXPECT_EQ(each.exit_code, 0) << each.err;
   EXPECT_EQ(each.out.substr(0, each.out.find(' ')), "hg-schlick:");
-  EXPECT_NE(each.out.find("\n0.6  "), std::string::npos) << each.out;
+  expect_has(each.out, "\n0.6  ");
 }
 
 TEST(CertifyStudy, WritesACertificateThatHolds) {
@@ -89,14 +89,11 @@ TEST(CertifyStudy, WritesACertificateThatHolds) {
                                        "--error", "absolute", "--params", "b,a", "--out", file});
   const Outcome first = run_command_line(made);
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_NE(first.out.find("\nCertificate: " + file + "\n"), std::string::npos);
+  expect_has(first.out, "\nCertificate: " + file + "\n");
   const Outcome holds = run_command_line({"verify", file});
   EXPECT_EQ(holds.exit_code, 0) << holds.err;
-  EXPECT_NE(holds.out.find("holds: the largest weighted absolute error of sqrt(1-x) (a + b x) is in [0.0125"),
-            std::string::npos)
-      << holds.out;
-  EXPECT_NE(holds.out.find("\n  error    absolute: (1 + x) (form - target)\n"), std::string::npos)
-      << holds.out;
+  expect_has(holds.out, "holds: the largest weighted absolute error of sqrt(1-x) (a + b x) is in [0.0125");
+  expect_has(holds.out, "\n  error    absolute: (1 + x) (form - target)\n");
   // Its own file is replaced, also with other constants.
   EXPECT_EQ(run_command_line(with(acos_linear, {"--out", file})).exit_code, 0);
 
@@ -104,7 +101,7 @@ TEST(CertifyStudy, WritesACertificateThatHolds) {
   fields["target"] = "acos(x) + 0";
   const Outcome changed = run_command_line({"verify", directory.file("changed.json", fields.dump(1))});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_NE(changed.err.find("is refused: its digest is"), std::string::npos) << changed.err;
+  expect_has(changed.err, "is refused: its digest is");
   fields["schema"] = 2;
   const std::string newer = directory.file("newer.json", fields.dump(1));
   expect_refusal({"verify", newer},
@@ -133,7 +130,7 @@ TEST(CertifyStudy, SaysWhichWidthWasNotReached) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err.substr(0, 82),
             "shadefit: the proof: the width 1e-09 was not reached: the largest error is in [0, ");
-  EXPECT_NE(outcome.out.find("x^3 + 3 x^2 + 3 x + 1 ~ (x + 1)^3"), std::string::npos);
+  expect_has(outcome.out, "x^3 + 3 x^2 + 3 x + 1 ~ (x + 1)^3");
 }
 
 TEST(CertifyStudy, RefusesBadInput) {

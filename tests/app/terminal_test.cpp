@@ -13,14 +13,15 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/output/interrupt.hpp"
-#include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
+#include "tests/app/refusal.hpp"
 #include "tests/process.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::TemporaryDirectory;
 
 const std::vector<std::string> commands{"list",  "run",     "fit",  "better", "certify", "verify", "emit",
@@ -89,36 +90,31 @@ TEST(Terminal, TablesAndExplanationsFitTheWidthAndAPipeHasAll) {
   }
   const std::string narrow = on_terminal({"fit", "fresnel-quadratic"}, 80);
   EXPECT_NE(narrow.find("-5.554727812648839"), std::string::npos) << "no value is cut";
-  EXPECT_NE(narrow.find("(left out for the width of the terminal: digits, status, at c"), std::string::npos)
-      << narrow;
+  expect_has(narrow, "(left out for the width of the terminal: digits, status, at c");
 }
 
 TEST(Terminal, OfAComparisonFormConstantsErrorAndCostStay) {
   const std::string narrow = on_terminal({"better", "fresnel-one-term"}, 80);
-  EXPECT_NE(narrow.find("\nform "), std::string::npos) << narrow;
+  expect_has(narrow, "\nform ");
   for (const char* shown : {"  constants  ", "max abs error", "instructions\n"})
     EXPECT_NE(narrow.find(shown), std::string::npos) << shown << "\n" << narrow;
-  EXPECT_NE(narrow.find("(left out for the width of the terminal: "), std::string::npos) << narrow;
+  expect_has(narrow, "(left out for the width of the terminal: ");
 }
 
 TEST(Terminal, TheBoundsOfAProofStayLongest) {
   const std::string narrow = on_terminal({"certify", "burley-albedo"}, 80);
-  EXPECT_NE(narrow.find("  from         max error at least             at most\n"), std::string::npos)
-      << narrow;
-  EXPECT_NE(narrow.find("(left out for the width of the terminal: boxes, at r, at x, k, h, g)"),
-            std::string::npos)
-      << narrow;
+  expect_has(narrow, "  from         max error at least             at most\n");
+  expect_has(narrow, "(left out for the width of the terminal: boxes, at r, at x, k, h, g)");
 }
 
 TEST(Terminal, VerdictsAreColouredThereAlone) {
   const std::vector<std::string> call{"explain", "sg-offset-mean"};
-  EXPECT_NE(on_terminal(call, 80).find("verdict   \x1b[32mconfirmed\x1b[0m\n"), std::string::npos);
+  expect_has(on_terminal(call, 80), "verdict   \x1b[32mconfirmed\x1b[0m\n");
   EXPECT_EQ(on_terminal(call, 80, "dumb").find('\x1b'), std::string::npos);
   EXPECT_EQ(on_terminal(call, 80, "xterm", "1").find('\x1b'), std::string::npos) << "NO_COLOR";
   EXPECT_EQ(testing::run_process(call, [] { ::setenv("TERM", "xterm", 1); }).out.find('\x1b'),
             std::string::npos);
-  EXPECT_NE(on_terminal({"fit", "fresnel-quadratic"}, 80).find("\x1b[32mconfirmed\x1b[0m"),
-            std::string::npos);
+  expect_has(on_terminal({"fit", "fresnel-quadratic"}, 80), "\x1b[32mconfirmed\x1b[0m");
 }
 
 TEST(Terminal, TheConstantsAndTheLargestErrorStay) {
@@ -194,7 +190,7 @@ TEST(Help, IsTheSameOnBothWaysAndFits80Columns) {
   const std::string all = run_command_line({"help"}).out;
   EXPECT_EQ(all, run_command_line({"--help"}).out);
   EXPECT_LE(widest(all), 80U);
-  for (const std::string& command : commands) EXPECT_NE(all.find("\n  " + command + " "), std::string::npos);
+  for (const std::string& command : commands) expect_has(all, "\n  " + command + " ");
 }
 
 // In the order of the commands: `verify` reads what `certify` wrote.
@@ -223,22 +219,6 @@ TEST(Help, EveryExampleRuns) {
   std::filesystem::current_path(before);
 }
 
-TEST(ListCommand, FiltersByTopicAndFamilyAndPrintsCsv) {
-  const auto ids = [](std::vector<std::string> options) {
-    options.insert(options.begin(), {"list", "--csv"});
-    std::vector<std::string> found;
-    for (const auto& row : parse_csv(run_command_line(options).out, "list").rows) found.push_back(row[0]);
-    return found;
-  };
-  EXPECT_EQ(ids({"--topic", "von mises"}), (std::vector<std::string>{"vmf-normalisation", "vmf-large-k"}));
-  EXPECT_EQ(ids({"--family", "fresnel-one-term"}),
-            (std::vector<std::string>{"fresnel-one-term", "fresnel-one-term-at-1", "fresnel-offset-one"}));
-  EXPECT_EQ(ids({"--family", "fresnel-one-term", "--verdict", "other-objective"}),
-            std::vector<std::string>{"fresnel-offset-one"});
-  EXPECT_EQ(ids({}).size(),
-            nlohmann::json::parse(run_command_line({"list", "--json"}).out)["constants"].size());
-}
-
 TEST(ExplainCommand, Json) {
   const auto claim = nlohmann::json::parse(run_command_line({"explain", "sg-offset-mean", "--json"}).out);
   EXPECT_EQ(claim["schema"], 1);
@@ -259,20 +239,9 @@ std::string shell_output(const std::string& line) {
   return text;
 }
 
-bool is_installed(const std::string& program) {
-  return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
-}
-
-/// A file with the command's output for that shell.
-std::string completion_file(const TemporaryDirectory& directory, const std::string& shell) {
-  const Outcome made = run_command_line({"--completion", shell});
-  EXPECT_EQ(made.exit_code, 0) << made.err;
-  return directory.file(shell, made.out);
-}
-
 TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
   const TemporaryDirectory directory;
-  const std::string file = completion_file(directory, "bash");
+  const std::string file = directory.file("bash", run_command_line({"--completion", "bash"}).out);
   const auto completed = [&](const std::string& line) {
     const std::string script = "source '" + file + "'; COMP_WORDS=(" + line +
                                "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _shadefit; echo ${COMPREPLY[@]}";
@@ -290,31 +259,6 @@ TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
   EXPECT_EQ(completed("shadefit help em"), "emit\n");
   EXPECT_EQ(completed("shadefit fit --round b"), "bfloat16\n");
   EXPECT_EQ(completed("shadefit fit sg-offset --exponent 5"), "\n") << "a number of the user";
-}
-
-TEST(Completion, ZshReadsIt) {
-  if (!is_installed("zsh")) GTEST_SKIP() << "without zsh: package zsh";
-  const TemporaryDirectory directory;
-  EXPECT_EQ(shell_output("zsh -n '" + completion_file(directory, "zsh") + "'"), "");
-}
-
-TEST(Completion, TheManualPageHasEveryOption) {
-  const std::string page = run_command_line({"--completion", "man"}).out;
-  for (const std::string& command : commands) {
-    EXPECT_NE(page.find("\n.SS \\&" + command), std::string::npos) << command;
-    for (const std::string& line : lines_of(run_command_line({"help", command}).out)) {
-      if (!line.starts_with("  --")) continue;
-      std::string name = words_of_line(line).front();
-      for (std::size_t i = 0; (i = name.find('-', i)) != std::string::npos; i += 2) name.insert(i, 1, '\\');
-      EXPECT_NE(page.find("\\fB\\&" + name), std::string::npos) << name;
-    }
-  }
-}
-
-TEST(Completion, GroffTakesTheManualPageWithoutAWarning) {
-  if (!is_installed("groff")) GTEST_SKIP() << "without groff: package groff-base";
-  const TemporaryDirectory directory;
-  EXPECT_EQ(shell_output("groff -man -Tutf8 -ww -z '" + completion_file(directory, "man") + "'"), "");
 }
 
 }  // namespace

@@ -170,10 +170,10 @@ TEST(Progress, OfASweepIsTheShareThatIsDone) {
             0);
   const auto shows = [&](const std::string& share) {
     return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-      return line.starts_with("fit [") && line.find(share) != std::string::npos;
+      return line.starts_with("fit ") && line.find(share) != std::string::npos;
     });
   };
-  EXPECT_TRUE(shows("] 0 %") && shows("] 25 %") && shows("] 75 %"));
+  EXPECT_TRUE(shows(" 0 %") && shows(" 25 %") && shows(" 75 %"));
 }
 
 }  // namespace

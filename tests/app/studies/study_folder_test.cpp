@@ -12,6 +12,8 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::line_study;
@@ -46,11 +48,10 @@ TEST_F(StudyFolder, EveryVerbTakesAFile) {
   EXPECT_EQ(better["contenders"].size(), 5u);
 
   const std::string said = run_command_line({"explain", path("line.toml")}).out;
-  EXPECT_NE(said.find("Largest error: stated 0.125, computed 0.125: confirmed\n"), std::string::npos) << said;
+  expect_has(said, "Largest error: stated 0.125, computed 0.125: confirmed\n");
 
   const Outcome code = run_command_line({"emit", path("line.toml"), "--lang", "glsl"});
-  EXPECT_NE(code.out.find("float line(float x) {\n  return -0.125 + 1.0 * x;\n}\n"), std::string::npos)
-      << code.out << code.err;
+  expect_has(code.out, "float line(float x) {\n  return -0.125 + 1.0 * x;\n}\n");
 }
 
 TEST_F(StudyFolder, IsSearchedForItsStudies) {
@@ -58,11 +59,9 @@ TEST_F(StudyFolder, IsSearchedForItsStudies) {
   EXPECT_EQ(json_of({"fit", "line", "--studies", folder})["published"][0]["verdict"], "undecidable");
   EXPECT_EQ(json_of({"certify", "line", "--studies", folder})["parameters_from"], "published");
   EXPECT_EQ(run_command_line({"explain", "line", "--studies", folder}).exit_code, 0);
-  EXPECT_NE(run_command_line({"list", "--studies", folder}).out.find("\nline "), std::string::npos);
+  expect_has(run_command_line({"list", "--studies", folder}).out, "\nline ");
   const Outcome code = run_command_line({"emit", "line", "--studies", folder, "--lang", "c"});
-  EXPECT_NE(code.out.find("// Proven: absolute error at most 0.125 for x in [0, 1], in exact arithmetic.\n"),
-            std::string::npos)
-      << code.out << code.err;
+  expect_has(code.out, "// Proven: absolute error at most 0.125 for x in [0, 1], in exact arithmetic.\n");
   expect_refusal({"fit", "line", "--studies", path("none")},
                  "--studies '" + path("none") + "' is not a folder");
 }
@@ -76,9 +75,8 @@ TEST_F(StudyFolder, HasTheDigitsThatMatter) {
   EXPECT_EQ(fit["sensitivity"]["contracts"].size(), 4u);
   const std::string said =
       run_command_line({"fit", path("line.toml"), "--round", "float", "--sensitivity"}).out;
-  EXPECT_NE(said.find("\nBest: proven, among all finite numbers of the format.\n"), std::string::npos)
-      << said;
-  EXPECT_NE(said.find("\nthe same form under"), std::string::npos) << said;
+  expect_has(said, "\nBest: proven, among all finite numbers of the format.\n");
+  expect_has(said, "\nthe same form under");
 }
 
 TEST_F(StudyFolder, ItsBaselineIsHeld) {
@@ -89,7 +87,7 @@ TEST_F(StudyFolder, ItsBaselineIsHeld) {
   write("line.toml", replaced(line_study, "\"-0.125\"", "\"-0.127\""));
   const Outcome changed = run_command_line({"check", path("line.toml"), "--baseline", path("out")});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_NE(changed.out.find("refuted"), std::string::npos) << changed.out;
+  expect_has(changed.out, "refuted");
   expect_refusal({"check", path("line.toml"), "--baseline", path("nothing")},
                  "cannot read '" + path("nothing") + "/better.csv': there is no such file");
 }
@@ -109,8 +107,7 @@ TEST_F(StudyFolder, TakesMeasuredRows) {
   const auto better = json_of({"better", path("line.toml")});
   EXPECT_EQ(better["contenders"].size(), 5u) << "a published set, and two fits of each norm";
   EXPECT_NEAR(better["contenders"][0]["max_abs_error"].get<double>(), 0.1, 1e-14);
-  EXPECT_NE(run_command_line({"emit", path("line.toml"), "--lang", "c"}).out.find("0.95f + 2.15f * x"),
-            std::string::npos);
+  expect_has(run_command_line({"emit", path("line.toml"), "--lang", "c"}).out, "0.95f + 2.15f * x");
   write("line.toml", replaced(text, "[metric]\n", "[metric]\nweight = \"1 + x\"\n"));
   const auto weighted = json_of({"better", path("line.toml")});
   EXPECT_NEAR(weighted["contenders"][0]["max_weighted_error"].get<double>(), 0.2, 1e-14);
@@ -125,7 +122,7 @@ TEST_F(StudyFolder, ATargetMayBeASignal) {
     return run_command_line({"explain", path("line.toml")}).out;
   };
   EXPECT_NE(codes("").find("as a linear grey "), std::string::npos) << codes("");
-  EXPECT_NE(codes("encoded = true\n").find(" codes of 8 bits, "), std::string::npos);
+  expect_has(codes("encoded = true\n"), " codes of 8 bits, ");
   EXPECT_EQ(codes("encoded = false\n"), codes(""));
   write("line.toml", replaced(line_study, "[target]\n", "[target]\nencoded = \"yes\"\n"));
   expect_refusal({"fit", path("line.toml")},
@@ -154,7 +151,7 @@ TEST_F(StudyFolder, RecomputesRowsOfATable) {
   EXPECT_EQ(changed.err,
             "shadefit: line 3 of 'rows.csv' has 0.26, where x^2 is 0.25: 1 of 3 recomputed rows differs\n");
   with("table = \"rows.csv\"");
-  EXPECT_EQ(run_command_line(check).out.find("recomputed"), std::string::npos);
+  expect_lacks(run_command_line(check).out, "recomputed");
 
   const auto refused = [&](const std::string& target, const std::string& rule) {
     with(target);
@@ -247,7 +244,7 @@ TEST_F(StudyFolder, ABadStudyIsALine) {
   const std::string source = directory_.file("a.glsl", "float a = 1.0;\n");
   const Outcome list = run_command_line({"list", "--studies", path(".")});
   EXPECT_EQ(list.exit_code, 0);
-  EXPECT_NE(list.out.find("\nline "), std::string::npos);
+  expect_has(list.out, "\nline ");
   EXPECT_EQ(list.err, replaced(line, path("bad.toml"), path("./bad.toml")));
   for (const char* format : {"text", "json"}) {
     const Outcome lint = run_command_line({"lint", source, "--studies", path("."), "--format", format});

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "fit/proof/enclosed_integral.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/intervals.hpp"
 
@@ -61,33 +60,6 @@ TEST(Taylor, ConditionsThatCannotBeDecidedHaveNoSeries) {
   EXPECT_FALSE(is_bounded(positive_part(wide - one_half)[3]));
   EXPECT_TRUE(is_bounded(max(wide, constant<Series>("0.25"))[1])) << "they only touch";
   EXPECT_FALSE(is_bounded(log(Series::variable(testing::span("0", "0.5")))[1]));
-}
-
-/// Integrals with a known value, under each measure.
-TEST(EnclosedIntegral, HoldsKnownValues) {
-  const auto integral = [](const Metric& metric, const auto& f) {
-    const auto one = [f]<class T>(const Cosine<T>& c) { return std::array{T(f(c))}; };
-    return EnclosedIntegral<20, 1>(metric, {1e-20}).of(one).value()[0];
-  };
-  const auto square = []<class T>(const Cosine<T>& c) { return c.cos_theta * c.cos_theta; };
-  const auto root = []<class T>(const Cosine<T>& c) { return sqrt(c.cos_theta); };
-  const Decimal100 quarter_pi = atan(Decimal100(1));
-  EXPECT_TRUE(contains(integral({}, square), Decimal100(1) / 3));
-  EXPECT_TRUE(contains(integral({.measure = Measure::angle}, square), quarter_pi));
-  EXPECT_TRUE(contains(integral({.measure = Measure::cosine_weighted}, square), Decimal100("0.25")));
-  EXPECT_TRUE(contains(integral({.domain = {0.25, 0.375}}, square), Decimal100(27 - 8) / 3 / 512));
-  const Interval angle_part = integral({.measure = Measure::angle, .domain = {0, 0.75}}, square);
-  // asin(x)/2 - x sqrt(1 - x^2)/2 at x = 3/4
-  const Decimal100 x("0.75"), cosine = sqrt(Decimal100(1) - x * x);
-  EXPECT_TRUE(contains(angle_part, (atan(Decimal100(x / cosine)) - x * cosine) / 2));
-  const Interval singular = integral({}, root);
-  EXPECT_TRUE(contains(singular, Decimal100(2) / 3));
-  EXPECT_LT(width_of(singular), 1e-19);
-}
-
-TEST(EnclosedIntegral, GivesUpWhereThereIsNone) {
-  const auto pole = []<class T>(const Cosine<T>& c) { return std::array{T(integer<T>(1) / c.cos_theta)}; };
-  EXPECT_FALSE((EnclosedIntegral<4, 1>({}, {1e-6}).of(pole)));
 }
 
 }  // namespace
