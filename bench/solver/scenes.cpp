@@ -30,7 +30,7 @@ void plan_scene(benchmark::State& state, double tolerance) {
   int fits = 0;
   for (auto _ : state) {
     const scene::Plan plan = scene::make_plan(scene, {.tolerance = tolerance});
-    if (!plan.is_within()) state.SkipWithError("the plan is not within the tolerance");
+    require(plan.is_within(), "the plan is not within the tolerance");
     fits = plan.fits_run;
     benchmark::DoNotOptimize(plan.error);
   }

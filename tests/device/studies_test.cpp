@@ -59,9 +59,9 @@ TEST_F(Device, RunsEveryStudyWithinTheBoundInBothLanguages) {
     const Expected expected(form);
     // Near the horizon the air mass divides by a small sine.
     EXPECT_LE(count_vague(expected), expected.bounds.size() / 20) << form.function.name;
-    for (const ShaderLanguage language : languages) {
+    for (const Language language : languages) {
       EXPECT_EQ(beyond(form.function, language, expected.inputs, expected.values, expected.bounds), "")
-          << form.function.name << " in " << name_of(language);
+          << form.function.name << " in " << name(language);
     }
   }
 }
@@ -85,10 +85,10 @@ TEST_F(Device, FindsAWrongDigitInEveryStudy) {
       PrintedValues wrong = form.constants;
       wrong[i].second = with_wrong_second_digit(wrong[i].second);
       const testing::FormOfStudy other = testing::form_of_study(form.function.name, form.read, wrong);
-      for (const ShaderLanguage language : languages) {
+      for (const Language language : languages) {
         EXPECT_NE(beyond(other.function, language, expected.inputs, expected.values, expected.bounds), "")
             << form.function.name << " with " << wrong[i].first << " = " << wrong[i].second << " in "
-            << name_of(language);
+            << name(language);
       }
       ++count;
     }
