@@ -1,6 +1,5 @@
 #include "bench/tradeoff/timing.hpp"
 
-#include <algorithm>
 #include <chrono>
 
 namespace shadefit::bench {

@@ -23,17 +23,6 @@ namespace shadefit::device {
 
 inline constexpr std::array languages{Language::glsl, Language::hlsl};
 
-/// The places of the digits of a number, from its first digit that is not 0. Of a zero: the last digit.
-inline std::vector<std::size_t> digits_of(const std::string& printed) {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < printed.size(); ++i) {
-    const bool is_digit = printed[i] >= '0' && printed[i] <= '9';
-    if (is_digit && !(places.empty() && printed[i] == '0')) places.push_back(i);
-  }
-  if (places.empty()) places.push_back(printed.find_last_of('0'));
-  return places;
-}
-
 class Device : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -66,6 +66,17 @@ TEST_F(Device, RunsEveryStudyWithinTheBoundInBothLanguages) {
   }
 }
 
+/// The places of the digits of a number, from its first digit that is not 0. Of a zero: the last digit.
+std::vector<std::size_t> digits_of(const std::string& printed) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const bool is_digit = printed[i] >= '0' && printed[i] <= '9';
+    if (is_digit && !(places.empty() && printed[i] == '0')) places.push_back(i);
+  }
+  if (places.empty()) places.push_back(printed.find_last_of('0'));
+  return places;
+}
+
 /// The second digit of a number, or the last of a shorter one, 5 more or less. The bounds hide later ones.
 std::string with_wrong_second_digit(std::string printed) {
   constexpr std::size_t second = 1;

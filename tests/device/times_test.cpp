@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <map>
 #include <set>
 
 #include "app/commands/command_line.hpp"
 #include "bench/device/measure_device.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "fit/scalars/symbolic.hpp"
-#include "fit/support/user_error.hpp"
 #include "reports/io/csv.hpp"
 #include "tests/device/drivers.hpp"
 #include "tests/temporary_directory.hpp"
