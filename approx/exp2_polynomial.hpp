@@ -18,8 +18,8 @@ namespace shadefit {
 /// A polynomial p(r) = 1 + c1 r + .. + cn r^n for 2^r on [-1/2, 1/2], minimax in the relative error among
 /// those that are exact at r = 0, so that a lobe's peak is 1 and whole powers are exact.
 ///
-/// Source: fitted and proven by this toolkit, tests/bench/exp2_fit.hpp.
-/// tests/bench/exp2_polynomial_test.cpp repeats it.
+/// Source: fitted by this toolkit. tests/bench/exp2_polynomial_test.cpp shows that they are the best, and
+/// proves their bounds.
 struct Exp2Coefficients {
   int degree;
   std::array<std::string_view, 6> printed;  ///< c1 .. cn

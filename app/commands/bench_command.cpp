@@ -32,7 +32,9 @@ bench::FormsToTime forms_to_time(const BenchOptions& options, const Checkpoint& 
   }
   const forms::Catalogue catalogue = forms::catalogue();
   std::vector<std::string> known;
-  for (const forms::Target& target : catalogue.targets) known.emplace_back(target.id);
+  for (const forms::Target& target : catalogue.targets) {
+    if (!bench::is_of_several_lights(target)) known.emplace_back(target.id);
+  }
   for (const std::string& id : options.only) require_known(id, known, "target");
   return bench::catalogue_forms(catalogue, options.only,
                                 options.device ? bench::Exp2Kinds::library : bench::Exp2Kinds::polynomials);
@@ -54,7 +56,6 @@ std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& 
 
 Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (options.list_devices) return list_devices_command(options);
-  if (options.probe) return probe_command(options, checkpoint);
   if (options.exhaustive) return exhaustive_command(options, checkpoint, progress);
   const OutputFolder folder(options.out);
   const bench::Trade trade = timed(options, checkpoint, progress);

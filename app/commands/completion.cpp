@@ -8,7 +8,7 @@
 #include "app/commands/declare_commands.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
-#include "bench/forms/catalogue.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/better/results.hpp"
 #include "reports/rows/citation.hpp"
 
@@ -31,9 +31,14 @@ Words words_for(const CLI::App& app, const std::string& type) {
   if (type == "CITED") return with_studies(cited_ids());
   if (type == "STUDY") return with_studies({});
   if (type == "TARGET") {
-    for (const forms::Target& target : forms::catalogue().targets) words.emplace_back(target.id);
+    for (const forms::Target& target : forms::catalogue().targets) {
+      if (!bench::is_of_several_lights(target)) words.emplace_back(target.id);
+    }
   } else if (type == "FORM|all") {
-    for (const forms::FormEntry& form : forms::catalogue().forms) words.emplace_back(form.id);
+    words.emplace_back("all");
+    for (const forms::FormEntry& form : forms::catalogue().forms) {
+      if (form.arguments == forms::Arguments::cosine) words.emplace_back(form.id);
+    }
   } else if (type == "COMMAND") {
     for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
   } else if (type.find('|') != std::string::npos) {

@@ -64,12 +64,12 @@ void append_row(Table& table, const bench::SweptForm& swept, const bench::FloatE
                         hex_place(found.max_abs_error_at), static_cast<long>(found.max_ulps),
                         hex_place(found.max_ulps_at), static_cast<long>(found.nans),
                         static_cast<long>(found.above_one), static_cast<long>(found.below_zero),
-                        static_cast<long>(found.beyond), static_cast<long>(found.unbounded)});
+                        static_cast<long>(found.beyond)});
 }
 
 /// How many results are how far from the truth.
-Table ulps_table(const bench::FloatErrors& found, std::string_view numbers) {
-  Table table{{"ulps", std::string(numbers), "share"}};
+Table ulps_table(const bench::FloatErrors& found) {
+  Table table{{"ulps", "floats", "share"}};
   std::size_t last = found.ulps.size();
   while (last > 1 && found.ulps[last - 1] == 0) --last;
   for (std::size_t i = 0; i < last; ++i) {
@@ -89,38 +89,33 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
   const forms::Catalogue catalogue = forms::catalogue();
   const std::vector<bench::SweptForm> swept = swept_forms(catalogue, options);
   const bool is_one = *options.exhaustive != "all";
-  if (is_one) bench::subject_of(catalogue, swept.front(), options.exp2_degree);  // refuses a degree at once
   std::optional<OutputFolder> folder;
   if (!is_one) folder.emplace(options.out);
-  const auto here = [&](const bench::SweptForm& form, const auto& between) {
-    const int degree = form.form->function == forms::Function::exp2 ? options.exp2_degree : 0;
-    return errors_on(bench::subject_of(catalogue, form, degree), options.range, between);
-  };
   const Sweeper sweeper =
-      options.device ? sweeper_on_device(catalogue, options, swept, checkpoint) : Sweeper{.errors = here};
-  Table table{{"form", "constants", std::string(sweeper.numbers), "max abs error", "at c", "max ulps",
-               "at c ", "NaN", "above 1", "below 0", "beyond", "without bound"}};
+      options.device ? sweeper_on_device(catalogue, options)
+                     : Sweeper{"", [&](const auto& form) { return bench::subject_of(catalogue, form); }};
+  Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "above 1",
+               "below 0", "beyond"}};
   const auto show = bar(checkpoint, progress, "exhaustive");
   std::string beyond, histogram;
   for (const bench::SweptForm& form : swept) {
-    const bench::FloatErrors found = sweeper.errors(form, [&](double share) {
-      show((static_cast<double>(table.rows.size()) + share) / static_cast<double>(swept.size()));
-    });
+    const bench::FloatErrors found =
+        bench::errors_on(sweeper.subject(form), options.range, [&](double share) {
+          show((static_cast<double>(table.rows.size()) + share) / static_cast<double>(swept.size()));
+        });
     append_row(table, form, found);
     for (const std::uint32_t at : found.beyond_at)
       beyond += fmt::format("beyond the bound: {} at c = {} ({:.6g})\n", words_of(form), hex_place(at),
                             std::bit_cast<float>(at));
-    if (is_one)
-      histogram =
-          "\n" + write_console(ulps_table(found, sweeper.numbers), Precision::report, options.terminal);
+    if (is_one) histogram = "\n" + write_console(ulps_table(found), Precision::report, options.terminal);
   }
   Outcome outcome{beyond.empty() ? 0 : 1,
-                  (sweeper.device.empty() ? "" : "on " + sweeper.device + "\n") + sweeper.bound +
+                  (sweeper.device.empty() ? "" : "on " + sweeper.device + "\n") +
                       write_console(table, Precision::report, options.terminal) + beyond + histogram,
                   ""};
   if (!folder) return outcome;
   const File file{
-      std::string(sweeper.file),
+      "errors.csv",
       write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
   outcome.out +=
       fmt::format("\nResult: {}\n", printable((std::filesystem::path(options.out) / file.name).string()));

@@ -19,17 +19,12 @@ Outcome list_devices_command(const BenchOptions&) {
   refuse("--list-devices");
 }
 
-Outcome probe_command(const BenchOptions&, const Checkpoint&) {
-  refuse("--probe");
-}
-
 bench::Trade trade_on_device(const BenchOptions&, const std::function<bench::FormsToTime()>&,
                              const Checkpoint&, const Progress&) {
   refuse("--device");
 }
 
-Sweeper sweeper_on_device(const forms::Catalogue&, const BenchOptions&, const std::vector<bench::SweptForm>&,
-                          const Checkpoint&) {
+Sweeper sweeper_on_device(const forms::Catalogue&, const BenchOptions&) {
   refuse("--device");
 }
 

@@ -57,34 +57,14 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
   add_value(bench, "--constants", options.constants, parse_text, "ID",
             "with --exhaustive: the constants of the form (default: its first)")
       ->needs(exhaustive);
-  const auto parse_degree = [](const std::string& option, const std::string& text) {
-    constexpr int most = 99;
-    return parse_whole(option, text, 0, most);
-  };
-  auto* degree =
-      add_value(
-          bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
-          "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
-          ->needs(exhaustive);
-  auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
-                           "measure on a graphics device (default: the CPU)")
-                     ->excludes(degree);
+  add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
+            "measure on a graphics device (default: the CPU)");
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
-  bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")
-      ->needs(device)
-      ->excludes(exhaustive)
-      ->excludes(study);
-  auto* half = bench
-                   .add_flag("--half", options.half,
-                             "with --exhaustive and --device: every half in [0, 1], and arithmetic in half")
-                   ->needs(exhaustive)
-                   ->needs(device);
   add_value(bench, "--range", options.range, parse_range, "A:B",
             fmt::format(
                 "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:{:#x})",
                 bench::unit_floats.to))
-      ->needs(exhaustive)
-      ->excludes(half);
+      ->needs(exhaustive);
   add_studies(bench, options.studies);
   add_force(bench, options.force);
 }

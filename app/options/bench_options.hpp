@@ -26,21 +26,18 @@ struct BenchOptions {
   bool quick = false;
   bool no_plots = false;
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
-  std::optional<std::string> constants = {};   ///< of that form; the options below are for it too
-  int exp2_degree = 0;                         ///< 0: the library's exp2
+  std::optional<std::string> constants = {};   ///< of that form; the range is for it too
   bench::Stretch range = bench::unit_floats;
   /// The place of a Vulkan device among `device::vulkan_devices`, instead of the CPU.
   std::optional<std::size_t> device = {};
-  bool half = false;  ///< with `exhaustive` on a device: every half, in place of every float
   bool list_devices = false;
-  bool probe = false;  ///< measure the functions of the device
   Terminal terminal = {};
 };
 
 /// Declares its options.
 void declare_bench(CLI::App& bench, BenchOptions& options);
 
-/// Measures times, or does what --exhaustive, --list-devices or --probe asks for.
+/// Measures times, or does what --exhaustive or --list-devices asks for.
 Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 /// `bench --exhaustive`.

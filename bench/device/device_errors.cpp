@@ -1,12 +1,7 @@
-#include "bench/device/measure_device.hpp"
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
+#include <vector>
 
 #include "bench/device/evaluator.hpp"
-#include "bench/device/spirv.hpp"
+#include "bench/device/measure_device.hpp"
 #include "fit/scalars/half.hpp"
 
 namespace shadefit::device {
@@ -31,22 +26,7 @@ std::vector<float> arguments_of(const bench::Places& places) {
   return arguments;
 }
 
-std::vector<float> read_values(std::span<const std::uint32_t> words) {
-  std::vector<float> values;
-  for (const std::uint32_t word : words) values.push_back(std::bit_cast<float>(word));
-  return values;
-}
-
 }  // namespace
-
-DeviceChoice choice_for_values(std::size_t place, const bench::FormsToTime& forms) {
-  DeviceChoice choice{.place = place, .words = threads_per_group};
-  for (const bench::FormTarget& target : forms.targets) {
-    if (!target.places.empty())
-      choice.words = std::max(choice.words, target.places.size() * target.places.front().size());
-  }
-  return choice;
-}
 
 std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
                                                     ShaderPrecision precision,
@@ -71,8 +51,8 @@ std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const 
       errors.emplace_back();
       continue;
     }
-    Evaluator evaluator(device, compiler, form.function, ShaderLanguage::glsl, Arguments::input, precision);
-    errors.emplace_back(bench::largest_error(read_values(evaluator.of_input(arguments)), truth));
+    Evaluator evaluator(device, compiler, form.function, precision);
+    errors.emplace_back(bench::largest_error(evaluator.of(arguments), truth));
   }
   return errors;
 }

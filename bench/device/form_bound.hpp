@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -57,10 +56,5 @@ std::vector<std::uint32_t> unit_panels();
 /// A bound for each panel, for a function of one argument.
 std::vector<double> bounds_on(std::span<const std::uint32_t> panels, const ShaderFunction& function,
                               const GpuModel& gpu);
-
-/// Whether a device's result is a number and within a bound of the real value.
-inline bool is_within(float result, double real, double bound) {
-  return std::abs(static_cast<double>(result) - real) <= bound;
-}
 
 }  // namespace shadefit::device

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <memory>
+#include <vector>
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/form_bound.hpp"
@@ -10,41 +12,38 @@
 namespace shadefit::device {
 namespace {
 
-/// A form on a device, with its bound.
-struct SweptForm {
-  SweptForm(std::shared_ptr<SweptDevice> shared, const ShaderFunction& form, const GpuModel& model)
-      : device(std::move(shared)),
-        evaluator(device->vulkan, compiler, form, ShaderLanguage::glsl, Arguments::patterns),
+/// A form on a device with its bound, and its results on the last stretch.
+struct Swept {
+  Swept(VulkanDevice& device, const ShaderFunction& form, const GpuModel& model)
+      : evaluator(device, compiler, form),
         in_double(form),
         panels(unit_panels()),
         bounds(bounds_on(panels, form, model)) {}
 
-  std::shared_ptr<SweptDevice> device;
   ShaderCompiler compiler;
   Evaluator evaluator;
   FormInDouble in_double;
   std::vector<std::uint32_t> panels;
   std::vector<double> bounds;
+  std::uint32_t first = 0;  ///< the bit pattern that the first result belongs to
+  std::vector<float> results;
 };
 
 }  // namespace
 
-void sweep_on_device(bench::FloatSubject& subject, std::shared_ptr<SweptDevice> shared,
-                     const ShaderFunction& form, const GpuModel& model) {
-  const auto swept = std::make_shared<SweptForm>(std::move(shared), form, model);
+void sweep_on_device(bench::FloatSubject& subject, VulkanDevice& device, const ShaderFunction& form,
+                     const GpuModel& model) {
+  const auto swept = std::make_shared<Swept>(device, form, model);
   subject.prepare = [swept](const bench::Stretch& stretch) {
-    SweptDevice& device = *swept->device;
-    device.first = stretch.from;
-    device.results.resize(stretch.size());
-    swept->evaluator.over_patterns(
-        stretch.from, stretch.to, [&](std::uint32_t from, std::span<const std::uint32_t> some) {
-          std::copy(some.begin(), some.end(), device.results.begin() + (from - stretch.from));
-        });
+    std::vector<float> cosines;
+    for (std::uint32_t bits = stretch.from; bits < stretch.to; ++bits)
+      cosines.push_back(std::bit_cast<float>(bits));
+    const std::span<const float> results = swept->evaluator.of(cosines);
+    swept->first = stretch.from;
+    swept->results.assign(results.begin(), results.end());
   };
   subject.form = [swept](const float* in, float* out, std::size_t count) {
-    const SweptDevice& device = *swept->device;
-    for (std::size_t i = 0; i < count; ++i)
-      out[i] = std::bit_cast<float>(device.results[std::bit_cast<std::uint32_t>(in[i]) - device.first]);
+    std::copy_n(&swept->results[std::bit_cast<std::uint32_t>(in[0]) - swept->first], count, out);
   };
   subject.bound = [swept](const float* in, double* middle, double* radius, std::size_t count) {
     const std::vector<double> cosines(in, in + count);

@@ -11,16 +11,13 @@
 /// Times and errors of forms on a device.
 namespace shadefit::device {
 
-/// How to open the device at a place for the values of these forms: its buffers are readable from here.
-DeviceChoice choice_for_values(std::size_t place, const bench::FormsToTime& forms);
-
 /// The largest absolute error of each form on a device, in one precision. Empty if the target has no truth.
 std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between);
 
 /// Measures forms on a device: in float, and in half if the device has it. The device is opened twice:
-/// with buffers in its own memory, and by `choice_for_values` for the errors.
+/// with buffers in its own memory for times, and with readable ones for errors.
 ///
 /// The time of a form is that of one turn of its shader, divided by the evaluations of a turn, less the time
 /// of the chain: that of the shader whose function returns its argument, and a multiply-add for each argument

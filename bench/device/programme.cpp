@@ -1,5 +1,6 @@
 #include "bench/device/programme.hpp"
 
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -24,18 +25,14 @@ std::uint32_t turns_that_take(double seconds, std::uint32_t most,
 Programme::Programme(VulkanDevice& device, const bench::TimingPlan& plan, std::function<void()> between)
     : device_(device), plan_(plan), between_(std::move(between)), threads_(threads_of(device.info())) {
   const std::array unit{bench::Range{0, 1}};
-  add(timing_shader(chain_alone(), unit, ShaderPrecision::float32, Chain::dependent),
-      ShaderPrecision::float32, true);
+  add(timing_shader(chain_alone(), unit, ShaderPrecision::float32), ShaderPrecision::float32, true);
 }
 
-Slots Programme::add(const ShaderFunction& function, std::span<const bench::Range> ranges,
-                     ShaderPrecision precision) {
-  const Slots slots{work_.size(), work_.size() + 1};
-  for (const Chain chain : chains) {
-    between_();
-    add(timing_shader(function, ranges, precision, chain), precision, false);
-  }
-  return slots;
+std::size_t Programme::add(const ShaderFunction& function, std::span<const bench::Range> ranges,
+                           ShaderPrecision precision) {
+  between_();
+  add(timing_shader(function, ranges, precision), precision, false);
+  return work_.size() - 1;
 }
 
 std::vector<bench::Samples> Programme::run(const std::function<void(double)>& between) const {
@@ -51,7 +48,7 @@ double Programme::seconds_of(const Program& program, std::uint32_t turns) const 
 
 void Programme::add(const std::string& shader, ShaderPrecision precision, bool is_empty) {
   constexpr std::uint32_t most = 1U << 24;  // no device runs so many in a millisecond
-  const Program program = device_.load(compiler_.spirv(shader, ShaderLanguage::glsl, precision));
+  const Program program = device_.load(compiler_.spirv(shader, precision));
   seconds_of(program, is_empty ? 0 : 1);  // some drivers compile a shader at its first run
   const std::uint32_t turns = is_empty ? 0 : turns_that_take(plan_.seconds, most, [&](std::uint32_t count) {
     return seconds_of(program, count);

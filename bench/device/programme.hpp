@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -27,11 +26,6 @@ inline constexpr bench::TimingPlan full_device_plan{41, 2e-3}, quick_device_plan
 std::uint32_t turns_that_take(double seconds, std::uint32_t most,
                               const std::function<double(std::uint32_t)>& run);
 
-inline constexpr std::array chains{Chain::independent, Chain::dependent};
-
-/// The index of a function's dispatches for each chain.
-using Slots = std::array<std::size_t, chains.size()>;
-
 /// Dispatches with as many turns as the plan's seconds need, visited in interleaved rounds. The first is the
 /// empty kernel. The device must outlive it.
 class Programme {
@@ -43,8 +37,9 @@ class Programme {
 
   static constexpr std::size_t empty = 0;
 
-  /// Adds a function whose arguments lie in these ranges.
-  Slots add(const ShaderFunction& function, std::span<const bench::Range> ranges, ShaderPrecision precision);
+  /// Adds a function whose arguments lie in these ranges. Returns its slot.
+  std::size_t add(const ShaderFunction& function, std::span<const bench::Range> ranges,
+                  ShaderPrecision precision);
 
   /// The elements of a dispatch: 1 for the empty kernel, or the evaluations.
   std::size_t elements(std::size_t slot) const { return work_.at(slot).elements; }

@@ -33,9 +33,9 @@ ShaderCompiler::~ShaderCompiler() {
   glslang::FinalizeProcess();
 }
 
-std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string& source, ShaderLanguage language,
-                                                 ShaderPrecision precision) const {
-  const bool is_hlsl = language == ShaderLanguage::hlsl;
+std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string& source, ShaderPrecision precision,
+                                                 Language language) const {
+  const bool is_hlsl = language == Language::hlsl;
   constexpr int glsl_version = 450, vulkan_version = 100;
   auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
   if (is_hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl | EShMsgHlslOffsets);

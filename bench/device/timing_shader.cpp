@@ -13,18 +13,8 @@ std::string head() {
       "#version 450\n"
       "layout(local_size_x = {}) in;\n"
       "layout(set = 0, binding = 0, std430) buffer Output {{ float result[]; }};\n"
-      "layout(set = 0, binding = 1, std430) buffer Input {{ uint given[]; }};\n"
       "layout(push_constant) uniform Push {{ uint count, factor; }} push;\n",
       threads_per_group);
-}
-
-std::string emitted(const ShaderFunction& function, ShaderPrecision precision) {
-  return shader_code(std::span(&function, 1), Language::glsl, precision, std::array<OthersText, 0>());
-}
-
-/// The type of the chain's numbers: that of the function.
-std::string_view type_of(ShaderPrecision precision) {
-  return precision == ShaderPrecision::float16 ? "mediump float" : "float";
 }
 
 /// The thread's point in a range: the middle of one of 1024 equal parts. Each argument visits them in another
@@ -39,10 +29,13 @@ std::string place_in(const bench::Range& range, std::size_t argument) {
 }  // namespace
 
 std::string timing_shader(const ShaderFunction& function, std::span<const bench::Range> ranges,
-                          ShaderPrecision precision, Chain chain) {
-  const std::string_view type = type_of(precision);
-  const std::uint32_t streams = chain == Chain::independent ? 4 : 1;
-  std::string code = head() + emitted(function, precision) + "\nvoid main() {\n";
+                          ShaderPrecision precision) {
+  constexpr std::uint32_t streams = 4;
+  // The type of the chain's numbers is that of the function.
+  const std::string_view type = precision == ShaderPrecision::float16 ? "mediump float" : "float";
+  std::string code =
+      head() + shader_code(std::span(&function, 1), Language::glsl, precision, std::array<OthersText, 0>()) +
+      "\nvoid main() {\n";
   code += fmt::format("  {} t = uintBitsToFloat(push.factor);\n", type);
   for (std::size_t a = 0; a < ranges.size(); ++a)
     code += fmt::format("  {} b{} = {};\n", type, a, place_in(ranges[a], a));

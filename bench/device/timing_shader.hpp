@@ -9,12 +9,6 @@
 /// Compute shaders in GLSL that measure the time of a function, and the times that are subtracted from it.
 namespace shadefit::device {
 
-/// How the evaluations of a thread depend on one another.
-enum class Chain {
-  dependent,    ///< each waits for the result of the one before: the latency
-  independent,  ///< four at a time do not wait for each other: the throughput
-};
-
 /// The evaluations of a thread in one turn of its loop.
 inline constexpr std::uint32_t evaluations_a_turn = 8;
 
@@ -24,10 +18,11 @@ inline constexpr float chain_factor = 0x1p-14F;
 
 /// Evaluates a function, in the text that `emit` writes, `evaluations_a_turn` times per turn. Each argument
 /// is b + t r: b is the thread's own point in the range of the argument, t a factor that the compiler does
-/// not know, r the result of an earlier evaluation. So the compiler cannot leave out an evaluation, and
-/// little memory is written: one word per thread. With no turns it is the empty kernel.
+/// not know, r an earlier result. So the compiler cannot leave out an evaluation, and little memory is
+/// written: one word per thread. Four evaluations at a time do not wait for each other: a time is that of the
+/// throughput. With no turns it is the empty kernel.
 std::string timing_shader(const ShaderFunction& function, std::span<const bench::Range> ranges,
-                          ShaderPrecision precision, Chain chain);
+                          ShaderPrecision precision);
 
 /// The function that returns its argument: it gives the time of the chain itself.
 ShaderFunction chain_alone();

@@ -6,14 +6,22 @@
 #include <optional>
 #include <vulkan/vulkan_raii.hpp>
 
-#include "bench/device/in_words.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
 namespace {
 
 constexpr std::uint32_t api = VK_API_VERSION_1_1;
-constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+
+/// Calls a function. An error of Vulkan becomes a CheckFailed with one line.
+template <class F>
+auto in_words(const F& function) -> decltype(function()) {
+  try {
+    return function();
+  } catch (const vk::SystemError& error) {
+    throw CheckFailed(fmt::format("the Vulkan driver fails: {}", error.what()));
+  }
+}
 
 std::string version_text(std::uint32_t version) {
   return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
@@ -57,39 +65,16 @@ DeviceInfo info_of(const vk::raii::PhysicalDevice& device) {
   return info;
 }
 
-vk::Bool32 VKAPI_PTR note_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-                                  const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
-  static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
-  return VK_FALSE;
-}
-
-vk::DebugUtilsMessengerCreateInfoEXT messenger_info(std::vector<std::string>* messages) {
-  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  return {{},
-          Severity::eWarning | Severity::eError,
-          Type::eGeneral | Type::eValidation | Type::ePerformance,
-          note_message,
-          messages};
-}
-
 /// The loader with its instance.
 struct Loader {
   vk::raii::Context context;
   vk::raii::Instance instance;
 
-  explicit Loader(std::vector<std::string>* messages) : instance(make(context, messages)) {}
+  Loader() : instance(make(context)) {}
 
-  static vk::raii::Instance make(const vk::raii::Context& context, std::vector<std::string>* messages) {
+  static vk::raii::Instance make(const vk::raii::Context& context) {
     const vk::ApplicationInfo application("shadefit", 0, nullptr, 0, api);
-    vk::InstanceCreateInfo info({}, &application);
-    const char* const extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
-    const auto messenger = messenger_info(messages);
-    if (messages != nullptr) {
-      info.setPEnabledLayerNames(validation_layer).setPEnabledExtensionNames(extension);
-      info.setPNext(&messenger);
-    }
-    return {context, info};
+    return {context, vk::InstanceCreateInfo({}, &application)};
   }
 
   /// The devices that can compute and that know this version of Vulkan.
@@ -104,11 +89,9 @@ struct Loader {
 };
 
 /// Opens the loader. Throws UserError without a loader or a driver.
-std::unique_ptr<Loader> open_loader(std::vector<std::string>* messages) {
+std::unique_ptr<Loader> open_loader() {
   try {
-    return std::make_unique<Loader>(messages);
-  } catch (const vk::LayerNotPresentError&) {
-    throw UserError(fmt::format("the layer '{}' is not installed", validation_layer));
+    return std::make_unique<Loader>();
   } catch (const vk::SystemError& error) {
     throw UserError(fmt::format("no Vulkan driver answers: {}", error.what()));
   } catch (const std::runtime_error&) {
@@ -120,7 +103,7 @@ std::unique_ptr<Loader> open_loader(std::vector<std::string>* messages) {
 struct Buffer {
   vk::raii::Buffer buffer{nullptr};
   vk::raii::DeviceMemory memory{nullptr};
-  std::span<std::uint32_t> words;
+  std::span<float> words;
 };
 
 std::uint32_t memory_type(const vk::raii::PhysicalDevice& device, std::uint32_t allowed,
@@ -143,13 +126,13 @@ Buffer make_buffer(const vk::raii::PhysicalDevice& physical, const vk::raii::Dev
       choice.has_buffers_on_device ? std::vector{vk::MemoryPropertyFlags(Property::eDeviceLocal)}
                                    : std::vector{visible | Property::eHostCached, visible};
   Buffer made;
-  const vk::DeviceSize bytes = choice.words * sizeof(std::uint32_t);
+  const vk::DeviceSize bytes = choice.words * sizeof(float);
   made.buffer = device.createBuffer({{}, bytes, vk::BufferUsageFlagBits::eStorageBuffer});
   const auto needs = made.buffer.getMemoryRequirements();
   made.memory = device.allocateMemory({needs.size, memory_type(physical, needs.memoryTypeBits, wishes)});
   made.buffer.bindMemory(*made.memory, 0);
   if (!choice.has_buffers_on_device)
-    made.words = {static_cast<std::uint32_t*>(made.memory.mapMemory(0, bytes)), choice.words};
+    made.words = {static_cast<float*>(made.memory.mapMemory(0, bytes)), choice.words};
   return made;
 }
 
@@ -184,9 +167,7 @@ struct Program::Parts {
 };
 
 struct VulkanDevice::Parts {
-  std::vector<std::string> messages;
   std::unique_ptr<Loader> loader;
-  vk::raii::DebugUtilsMessengerEXT messenger{nullptr};
   vk::raii::PhysicalDevice physical;
   DeviceInfo info;
   double seconds_per_tick;
@@ -202,7 +183,7 @@ struct VulkanDevice::Parts {
   vk::raii::CommandBuffer commands{nullptr};
 
   explicit Parts(const DeviceChoice& choice)
-      : loader(open_loader(choice.is_watched ? &messages : nullptr)),
+      : loader(open_loader()),
         physical(chosen(choice.place)),
         info(info_of(physical)),
         seconds_per_tick(physical.getProperties().limits.timestampPeriod * 1e-9),
@@ -214,8 +195,6 @@ struct VulkanDevice::Parts {
         layout(make_layout(device, set_layout)),
         sets(make_pool()),
         pool(device.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family()})) {
-    if (choice.is_watched)
-      messenger = loader->instance.createDebugUtilsMessengerEXT(messenger_info(&messages));
     bind_buffers();
     if (info.has_timestamps) clock = device.createQueryPool({{}, vk::QueryType::eTimestamp, 2});
     commands = std::move(device.allocateCommandBuffers({*pool, vk::CommandBufferLevel::ePrimary, 1}).front());
@@ -281,7 +260,7 @@ struct VulkanDevice::Parts {
 };
 
 std::vector<DeviceInfo> vulkan_devices() {
-  const auto loader = open_loader(nullptr);
+  const auto loader = open_loader();
   return in_words([&] {
     std::vector<DeviceInfo> infos;
     for (const auto& device : loader->devices()) infos.push_back(info_of(device));
@@ -316,15 +295,11 @@ double VulkanDevice::run(const Program& program, std::uint32_t threads, const Pu
   return in_words([&] { return parts_->run(program, groups, push); });
 }
 
-std::span<std::uint32_t> VulkanDevice::output() {
+std::span<float> VulkanDevice::output() {
   return parts_->output.words;
 }
-std::span<std::uint32_t> VulkanDevice::input() {
+std::span<float> VulkanDevice::input() {
   return parts_->input.words;
-}
-
-const std::vector<std::string>& VulkanDevice::messages() const {
-  return parts_->messages;
 }
 
 }  // namespace shadefit::device

@@ -10,8 +10,8 @@
 
 /// Compute shaders on the graphics devices of this machine, by Vulkan.
 ///
-/// The Vulkan loader is opened while the program runs. Where it is missing, or where the program was built
-/// without Vulkan's headers, each function says so in one line (UserError).
+/// The Vulkan loader is opened while the program runs. Where it is missing, each function says so in one line
+/// (UserError).
 namespace shadefit::device {
 
 /// What is known of a device before anything runs on it.
@@ -22,7 +22,6 @@ struct DeviceInfo {
   std::string kind;             ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
   bool has_half = false;        ///< shaderFloat16: arithmetic of 16 bits
   bool has_timestamps = false;  ///< a clock of its own; otherwise a dispatch is timed from outside
-  bool operator==(const DeviceInfo&) const = default;
 };
 
 inline std::string name_with_driver(const DeviceInfo& info) {
@@ -35,14 +34,13 @@ std::vector<DeviceInfo> vulkan_devices();
 /// The local size in x of every shader, and the most threads of a dispatch: every driver allows 65535 groups.
 inline constexpr std::uint32_t threads_per_group = 64, most_threads = 65535 * threads_per_group;
 
-/// The four words that a dispatch gives its shader.
-using PushWords = std::array<std::uint32_t, 4>;
+/// The two words that a dispatch gives its shader.
+using PushWords = std::array<std::uint32_t, 2>;
 
 /// Which device, and how it is used.
 struct DeviceChoice {
   std::size_t place = 0;               ///< in `vulkan_devices`
-  std::size_t words = most_threads;    ///< size of each buffer in words of 32 bits
-  bool is_watched = false;             ///< with the validation layer, which must be installed
+  std::size_t words = 1U << 22;        ///< size of each buffer in floats
   bool has_buffers_on_device = false;  ///< in the device's own memory, which this program cannot read
 };
 
@@ -52,7 +50,7 @@ struct Program {
   std::shared_ptr<const Parts> parts;
 };
 
-/// A device with two storage buffers of words: binding 0 is the output, binding 1 the input. Every function
+/// A device with two storage buffers of floats: binding 0 is the output, binding 1 the input. Every function
 /// throws CheckFailed with one line if the device is lost, is out of memory or does not answer.
 class VulkanDevice {
  public:
@@ -71,11 +69,8 @@ class VulkanDevice {
   double run(const Program& program, std::uint32_t threads, const PushWords& push);
 
   /// The buffers, or empty if this program cannot read them.
-  std::span<std::uint32_t> output();
-  std::span<std::uint32_t> input();
-
-  /// The messages of the validation layer so far.
-  const std::vector<std::string>& messages() const;
+  std::span<float> output();
+  std::span<float> input();
 
  private:
   struct Parts;

@@ -16,20 +16,18 @@ namespace {
 
 /// The inputs of the forms.
 struct Grid {
-  std::array<std::vector<double>, 3> in;  ///< cosines, or normals
-  std::vector<std::uint8_t> codes;
+  std::array<std::vector<double>, 3> in;  ///< as in `Arrays`
 
   std::size_t size() const { return in[0].size(); }
-  void add(double x, double y = 0, double z = 0, std::uint8_t code = 0) {
+  void add(double x, double y = 0, double z = 0) {
     in[0].push_back(x);
     in[1].push_back(y);
     in[2].push_back(z);
-    codes.push_back(code);
   }
   /// The last place counts several times, up to a multiple of 64 places: the table's rms errors have this
   /// weight.
   void fill() {
-    while (size() % 64 != 0) add(in[0].back(), in[1].back(), in[2].back(), codes.back());
+    while (size() % 64 != 0) add(in[0].back(), in[1].back(), in[2].back());
   }
 };
 
@@ -47,8 +45,7 @@ Grid grid_of(const Target& target) {
   } else if (target.arguments == Arguments::cosine_and_code) {
     constexpr int steps = 256, codes = 256;
     for (int i = 0; i <= steps; ++i) {
-      for (int code = 0; code < codes; code += 5)
-        grid.add(static_cast<double>(i) / steps, 0, 0, static_cast<std::uint8_t>(code));
+      for (int code = 0; code < codes; code += 5) grid.add(static_cast<double>(i) / steps, code);
     }
   } else {
     constexpr int steps = 4096;
@@ -78,8 +75,7 @@ class Places {
     }
     const std::vector<long double> parameters(target_.begin(), target_.end());
     truth_.resize(grid.size());
-    exact({{wide[0].data(), wide[1].data(), wide[2].data()}, grid.codes.data(), truth_.data(), grid.size()},
-          parameters);
+    exact({{wide[0].data(), wide[1].data(), wide[2].data()}, truth_.data(), grid.size()}, parameters);
   }
 
   /// The form's results there.
@@ -87,8 +83,7 @@ class Places {
     std::vector<R> parameters, out(grid_.size());
     for (const double p : target_) parameters.push_back(rounded_to<R>(p));
     for (const NamedNumber& number : constants.numbers) parameters.push_back(rounded_to<R>(number.value));
-    kernel({{in_[0].data(), in_[1].data(), in_[2].data()}, grid_.codes.data(), out.data(), grid_.size()},
-           parameters);
+    kernel({{in_[0].data(), in_[1].data(), in_[2].data()}, out.data(), grid_.size()}, parameters);
     std::vector<double> results;
     for (const R x : out) results.push_back(widened(x));
     return results;

@@ -27,9 +27,7 @@ std::vector<Constants> published_of(const FittableFamily& family) {
   std::vector<Constants> all;
   for (const Published* number : numbers_of(family.info)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
-    Constants found{.id = "published-" + std::string(number->id),
-                    .origin = std::string(number->source.author) + " " + std::to_string(number->source.year),
-                    .numbers = {}};
+    Constants found{.id = "published-" + std::string(number->id), .numbers = {}};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       found.numbers.push_back(printed_number(parameter, printed));
     all.push_back(std::move(found));
@@ -55,7 +53,7 @@ std::vector<Constants> constants_of(std::string_view id) {
   for (const auto& [objective, metric] : objectives()) {
     const Fit fit = family.fit(Setting(fixed_exponent), metric);
     if (fit.status != Status::converged) continue;
-    Constants found{.id = objective, .origin = describe(metric), .numbers = {}};
+    Constants found{.id = objective, .numbers = {}};
     for (std::size_t i = 0; i < fit.parameters.size(); ++i)
       found.numbers.push_back(computed_number(family.parameters[i], fit.parameters[i]));
     all.push_back(std::move(found));
@@ -65,18 +63,17 @@ std::vector<Constants> constants_of(std::string_view id) {
 
 /// The best pair for the cheapest polynomial instead of exp2.
 void append_pair_for_exp2(std::vector<Constants>& all) {
-  const std::string degree = std::to_string(least_exp2_degree);
   const PairForExp2 pair = fit_pair_for_exp2(least_exp2_degree);
   if (pair.status != Status::converged) return;
-  all.push_back({"minimax-exp2-" + degree,
-                 "minimax absolute error with an exp2 of degree " + degree,
+  all.push_back({"minimax-exp2-" + std::to_string(least_exp2_degree),
                  {computed_number("a", pair.a), computed_number("b", pair.b)}});
 }
 
-/// The offsets of a lobe that are conventions and not fits.
+/// The offsets of a lobe that are conventions and not fits: of the plain form, and of a von Mises-Fisher
+/// density.
 void append_conventions(std::vector<Constants>& all) {
-  all.push_back({"plain", "the plain form", {printed_number("x", "0")}});
-  all.push_back({"one", "the concentration of a von Mises-Fisher density", {printed_number("x", "1")}});
+  all.push_back({"plain", {printed_number("x", "0")}});
+  all.push_back({"one", {printed_number("x", "1")}});
 }
 
 /// The constants of a form that another form of the same curve uses too.
@@ -88,80 +85,77 @@ std::vector<Constants> telling(std::vector<Constants> all) {
 }
 
 std::vector<Constants> nothing() {
-  return {{"none", "", {}}};
+  return {{"none", {}}};
 }
 
+/// Appends a form of the target that came last.
 template <class Form>
-FormEntry entry(std::string_view target, std::string_view text, std::vector<Constants> constants) {
-  return {Form::id, target, std::string(text), Form::arguments, Form::function, std::move(constants)};
+void append(Catalogue& all, std::vector<Constants> constants) {
+  all.forms.push_back(
+      {Form::id, all.targets.back().id, Form::arguments, Form::function, std::move(constants)});
 }
 
 static_assert(fixed_exponent == 16, "the texts of the targets say so");
 
 void append_lobe(Catalogue& all, const std::vector<Constants>& offsets) {
-  const std::string_view id = "lobe";
-  all.targets.push_back(
-      {id, "c^k, k = 16", Arguments::cosine, 0, 1, {printed_number("k", std::to_string(fixed_exponent))}});
-  all.forms.push_back(entry<LobePower>(id, "pow(c, k)", nothing()));
-  all.forms.push_back(entry<LobeExp2Log2>(id, "exp2(k log2(c))", nothing()));
-  all.forms.push_back(entry<LobeSquarings>(id, "four squarings of c", nothing()));
-  all.forms.push_back(entry<LobeGaussian>(id, "exp2(A c - A), A = (k + x)/ln 2", offsets));
-  all.forms.push_back(
-      entry<LobeGaussianOfDifference>(id, "exp2(A (c - 1)), A = (k + x)/ln 2", telling(offsets)));
-  all.forms.push_back(
-      entry<LobeScaledGaussian>(id, "s exp2(A c - A), A = (k + x)/ln 2", constants_of("sg-scaled")));
-  all.forms.push_back(entry<LobeBlinn>(id, "((1 + c)/2)^(x k/2)", constants_of("phong-blinn")));
+  all.targets.push_back({"lobe",
+                         "c^k, k = 16",
+                         Arguments::cosine,
+                         0,
+                         1,
+                         {printed_number("k", std::to_string(fixed_exponent))}});
+  append<LobePower>(all, nothing());
+  append<LobeExp2Log2>(all, nothing());
+  append<LobeSquarings>(all, nothing());
+  append<LobeGaussian>(all, offsets);
+  append<LobeGaussianOfDifference>(all, telling(offsets));
+  append<LobeScaledGaussian>(all, constants_of("sg-scaled"));
+  append<LobeBlinn>(all, constants_of("phong-blinn"));
 }
 
 void append_gloss(Catalogue& all) {
-  const std::string_view id = "lobe-gloss";
-  all.targets.push_back({id,
+  all.targets.push_back({"lobe-gloss",
                          "c^(2^(d g + f)), g an 8-bit code/255",
                          Arguments::cosine_and_code,
                          0,
                          1,
                          {printed_number("d", "10"), printed_number("f", "1")}});
-  all.forms.push_back(entry<GlossPower>(id, "pow(c, exp2(d g + f))", nothing()));
+  append<GlossPower>(all, nothing());
+  // Lagarde 2012.
   const auto with_offset = [](const char* name, std::string_view x) -> Constants {
-    return {name, "Lagarde 2012", {printed_number("m", "1.528766"), printed_number("x", x)}};
+    return {name, {printed_number("m", "1.528766"), printed_number("x", x)}};
   };
-  all.forms.push_back(entry<GlossGaussian>(
-      id, "exp2(A c - A), A = exp2(d g + m) + x/ln 2",
-      {with_offset("plain", "0"), with_offset("published-sg-offset-mean", sg_offset_published[0].printed),
-       with_offset("published-sg-offset-limit", sg_offset_published[1].printed)}));
+  append<GlossGaussian>(all, {with_offset("plain", "0"),
+                              with_offset("published-sg-offset-mean", sg_offset_published[0].printed),
+                              with_offset("published-sg-offset-limit", sg_offset_published[1].printed)});
 }
 
 void append_schlick(Catalogue& all) {
-  const std::string_view id = "schlick";
-  all.targets.push_back({id, "(1 - c)^5", Arguments::cosine, 0, 1, {}});
-  all.forms.push_back(entry<SchlickPower>(id, "pow(1 - c, 5)", nothing()));
-  all.forms.push_back(entry<SchlickMultiplied>(id, "(1 - c)^5 by multiplications", nothing()));
-  const auto append = [&]<class Form>(Form) {
-    all.forms.push_back(entry<Form>(id, to_text(find_family(Form::id)->form()), constants_of(Form::id)));
-  };
-  append(FresnelOneTermForm());
-  append(FresnelQuadraticForm());
+  all.targets.push_back({"schlick", "(1 - c)^5", Arguments::cosine, 0, 1, {}});
+  append<SchlickPower>(all, nothing());
+  append<SchlickMultiplied>(all, nothing());
+  const auto append_family = [&]<class Form>(Form) { append<Form>(all, constants_of(Form::id)); };
+  append_family(FresnelOneTermForm());
+  append_family(FresnelQuadraticForm());
   append_pair_for_exp2(all.forms.back().constants);
-  append(FresnelCubicForm());
-  append(FresnelQuarticForm());
-  append(FresnelFourthForm());
-  append(FresnelSquareForm());
-  append(FresnelRationalForm());
+  append_family(FresnelCubicForm());
+  append_family(FresnelQuarticForm());
+  append_family(FresnelFourthForm());
+  append_family(FresnelSquareForm());
+  append_family(FresnelRationalForm());
 }
 
 void append_phases(Catalogue& all) {
-  const std::string_view id = "henyey-greenstein";
-  all.targets.push_back({id,
+  all.targets.push_back({"henyey-greenstein",
                          "(1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5)",
                          Arguments::cosine,
                          -1,
                          1,
                          {printed_number("g", "0.76")}});
-  all.forms.push_back(entry<HenyeyGreensteinPower>(id, "the power 1.5 by pow", nothing()));
-  all.forms.push_back(entry<HenyeyGreensteinRoot>(id, "the power 1.5 by a square root", nothing()));
-  all.forms.push_back(entry<SchlickPhase>(
-      id, "(1 - k^2)/(4 pi (1 - k c)^2), k = a g - b g^3",
-      {{"published", "Pharr, Humphreys 2010", {printed_number("a", "1.55"), printed_number("b", "0.55")}}}));
+  append<HenyeyGreensteinPower>(all, nothing());
+  append<HenyeyGreensteinRoot>(all, nothing());
+  // Pharr, Humphreys 2010.
+  append<SchlickPhase>(all, {{"published", {printed_number("a", "1.55"), printed_number("b", "0.55")}}});
 }
 
 void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
@@ -174,9 +168,9 @@ void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
       target.parameters.push_back(computed_number(std::array{"x", "y", "z"}[axis], direction[axis]));
   }
   all.targets.push_back(std::move(target));
-  all.forms.push_back(entry<PhongPower>(id, "pow(max(n.l, 0), k)", nothing()));
-  all.forms.push_back(entry<PhongSquarings>(id, "four squarings of max(n.l, 0)", nothing()));
-  all.forms.push_back(entry<PhongGaussian>(id, "exp2((A l, -A).(n, 1)), A = (k + x)/ln 2", telling(offsets)));
+  append<PhongPower>(all, nothing());
+  append<PhongSquarings>(all, nothing());
+  append<PhongGaussian>(all, telling(offsets));
 }
 
 /// The first item with such a member.
@@ -231,10 +225,6 @@ const Target& target_of(const Catalogue& catalogue, std::string_view id) {
 
 const FormEntry& reference_of(const Catalogue& catalogue, std::string_view target) {
   return first_of(catalogue.forms, &FormEntry::target, target);
-}
-
-bool is_wanted(const std::vector<std::string>& targets, std::string_view target) {
-  return targets.empty() || std::ranges::find(targets, target) != targets.end();
 }
 
 }  // namespace shadefit::forms

@@ -29,15 +29,13 @@ struct Target {
 
 /// A form's own constants, which follow the target's parameters.
 struct Constants {
-  std::string id;      ///< "published-sg-offset-mean", "minimax-absolute", "least-squares-cosine", "none" ..
-  std::string origin;  ///< "Lagarde 2012", "minimax absolute error"; empty where there are none
+  std::string id;  ///< "published-sg-offset-mean", "minimax-absolute", "least-squares-cosine", "none" ..
   std::vector<NamedNumber> numbers;
 };
 
 struct FormEntry {
   std::string_view id;      ///< the id of the kernels (`CompiledForm::form`)
   std::string_view target;  ///< the id of its target
-  std::string text;         ///< the formula
   Arguments arguments;
   Function function;
   std::vector<Constants> constants;  ///< at least one set, which may be empty of numbers
@@ -62,9 +60,6 @@ const Target& target_of(const Catalogue& catalogue, std::string_view id);
 
 /// The form that is the target itself: the first of its forms.
 const FormEntry& reference_of(const Catalogue& catalogue, std::string_view target);
-
-/// Whether a target is among those that are asked for; without any, all are.
-bool is_wanted(const std::vector<std::string>& targets, std::string_view target);
 
 /// The i-th of N evenly spread directions in the hemisphere around z. It uses only additions, products and
 /// quotients, so it is the same on every machine.

@@ -35,16 +35,26 @@ struct Block {
   std::array<double, most> truth, middle, radius;
 };
 
-void look_at(const Block& floats, std::size_t count, std::uint32_t first, FloatErrors& found) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const float value = floats.out[i];
-    if (std::isnan(value)) {
-      ++found.nans;
-    } else {
-      found.note(first + static_cast<std::uint32_t>(i), value, floats.truth[i],
-                 float_steps(value, static_cast<float>(floats.truth[i])));
-    }
+/// Notes a result that is a number.
+void note(FloatErrors& found, std::uint32_t at, float value, double truth) {
+  found.above_one += value > 1 ? 1 : 0;
+  found.below_zero += value < 0 ? 1 : 0;
+  const std::uint32_t steps = float_steps(value, static_cast<float>(truth));
+  ++found.ulps[static_cast<std::size_t>(std::bit_width(steps))];
+  const auto error = static_cast<float>(std::abs(static_cast<double>(value) - truth));
+  if (error > found.max_abs_error) {
+    found.max_abs_error = error;
+    found.max_abs_error_at = at;
   }
+  if (steps > found.max_ulps) {
+    found.max_ulps = steps;
+    found.max_ulps_at = at;
+  }
+}
+
+void note_beyond(FloatErrors& found, std::uint32_t at) {
+  ++found.beyond;
+  if (found.beyond_at.size() < FloatErrors::most_places) found.beyond_at.push_back(at);
 }
 
 /// The errors of one thread.
@@ -57,13 +67,19 @@ FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
       floats.in[i] = std::bit_cast<float>(first + static_cast<std::uint32_t>(i));
     subject.form(floats.in.data(), floats.out.data(), count);
     subject.truth(floats.in.data(), floats.truth.data(), count);
-    look_at(floats, count, first, found);
-    if (subject.bound) {
-      subject.bound(floats.in.data(), floats.middle.data(), floats.radius.data(), count);
-      for (std::size_t i = 0; i < count; ++i) {
-        const double off = std::abs(static_cast<double>(floats.out[i]) - floats.middle[i]);
-        if (!(off <= floats.radius[i])) found.note_beyond(first + static_cast<std::uint32_t>(i));
+    if (subject.bound) subject.bound(floats.in.data(), floats.middle.data(), floats.radius.data(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t at = first + static_cast<std::uint32_t>(i);
+      const float value = floats.out[i];
+      if (std::isnan(value)) {
+        ++found.nans;
+      } else {
+        note(found, at, value, floats.truth[i]);
       }
+      const auto is_within = [&] {
+        return std::abs(static_cast<double>(value) - floats.middle[i]) <= floats.radius[i];
+      };
+      if (subject.bound && !is_within()) note_beyond(found, at);
     }
     first += static_cast<std::uint32_t>(count);
   }
@@ -74,26 +90,6 @@ FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
 
 std::uint64_t FloatErrors::count() const {
   return std::accumulate(ulps.begin(), ulps.end(), nans);
-}
-
-void FloatErrors::note(std::uint32_t at, float value, double truth, std::uint32_t steps) {
-  above_one += value > 1 ? 1 : 0;
-  below_zero += value < 0 ? 1 : 0;
-  ++ulps[static_cast<std::size_t>(std::bit_width(steps))];
-  const auto error = static_cast<float>(std::abs(static_cast<double>(value) - truth));
-  if (error > max_abs_error) {
-    max_abs_error = error;
-    max_abs_error_at = at;
-  }
-  if (steps > max_ulps) {
-    max_ulps = steps;
-    max_ulps_at = at;
-  }
-}
-
-void FloatErrors::note_beyond(std::uint32_t at) {
-  ++beyond;
-  if (beyond_at.size() < most_places) beyond_at.push_back(at);
 }
 
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch,

@@ -32,17 +32,16 @@ inline std::uint32_t float_steps(float a, float b) {
   return static_cast<std::uint32_t>(steps < 0 ? -steps : steps);
 }
 
-/// The errors on a stretch, of floats or of halves; places are the bit patterns of floats. Of equal maxima
-/// the smallest place is kept.
+/// The errors on a stretch; places are the bit patterns of floats. Of equal maxima the smallest place is
+/// kept.
 struct FloatErrors {
   /// |form - reference|, rounded to float, so that the last bit of a library's pow does not matter.
   float max_abs_error = 0;
   std::uint32_t max_abs_error_at = 0;
-  std::uint32_t max_ulps = 0;  ///< numbers of the format between the form and the truth rounded to it
+  std::uint32_t max_ulps = 0;  ///< floats between the form and the truth rounded to float
   std::uint32_t max_ulps_at = 0;
   std::array<std::uint64_t, 33> ulps{};  ///< [0]: none; [i]: 2^(i-1) to 2^i - 1
   std::uint64_t nans = 0, above_one = 0, below_zero = 0;
-  std::uint64_t unbounded = 0;             ///< of halves: places where a device has no bound
   std::uint64_t beyond = 0;                ///< results beyond the bound of a device
   std::vector<std::uint32_t> beyond_at{};  ///< the places of the first of them, at most `most_places`
   static constexpr std::size_t most_places = 8;
@@ -50,10 +49,6 @@ struct FloatErrors {
 
   /// The number of tested inputs.
   std::uint64_t count() const;
-
-  /// Notes a result that is a number.
-  void note(std::uint32_t at, float value, double truth, std::uint32_t steps);
-  void note_beyond(std::uint32_t at);
 };
 
 /// The form and its reference. Both take `count` floats in rising order, and are called by several threads at

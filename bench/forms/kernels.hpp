@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -13,8 +12,8 @@ namespace shadefit::forms {
 /// The arrays of a kernel. Arrays that a target does not use are null.
 template <class Real>
 struct Arrays {
-  std::array<const Real*, 3> in{};      ///< the cosines; of a target with lights the normal's x, y and z
-  const std::uint8_t* codes = nullptr;  ///< the 8-bit gloss of each element
+  /// The cosines, or the cosines and the codes of their gloss, or the normals' x, y and z.
+  std::array<const Real*, 3> in{};
   Real* out = nullptr;
   std::size_t size = 0;
 };

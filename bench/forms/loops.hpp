@@ -42,7 +42,7 @@ void over_elements(const Arrays<RealOf<S>>& arrays, std::span<const RealOf<S>> p
   for (std::size_t i = 0; i < arrays.size; ++i) {
     const S c{arrays.in[0][i]};
     if constexpr (Form::arguments == Arguments::cosine_and_code) {
-      arrays.out[i] = number_of(Form()(c, S{static_cast<RealOf<S>>(arrays.codes[i])}, constants));
+      arrays.out[i] = number_of(Form()(c, S{arrays.in[1][i]}, constants));
     } else {
       arrays.out[i] = number_of(Form()(c, constants));
     }

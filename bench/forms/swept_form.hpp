@@ -17,8 +17,6 @@ struct SweptForm {
 /// error is a few last bits of a double: less than one for pow of the C library (as documented), half of one
 /// for 1 - c of a float, multiplied by a power of some tens. One ulp of a float is 2^29 ulps of a double, so
 /// the reference rounds to the right float, except within a millionth of the middle between two floats.
-///
-/// Throws UserError for a degree of exp2 that the form does not have.
-FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& swept, int exp2_degree);
+FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& swept);
 
 }  // namespace shadefit::bench

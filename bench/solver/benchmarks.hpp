@@ -1,7 +1,14 @@
 #pragma once
 
+#include <stdexcept>
+
 /// The benchmarks of shadefit, by file. See bench/README.md.
 namespace shadefit::bench {
+
+/// Ends the run, with exit code 1, if what is timed went wrong.
+inline void require(bool is_well, const char* what) {
+  if (!is_well) throw std::runtime_error(what);
+}
 
 /// Whole fits: with nodes and samples ready, and from nothing.
 void register_fits();
@@ -9,16 +16,13 @@ void register_fits();
 /// Minimax fits of the Fresnel pair.
 void register_minimax();
 
-/// The parts of a run: sampling, searches for the largest error, integrals.
-void register_parts();
-
 /// The ledger, and each of its claims.
 void register_claims();
 
 /// Proofs: certificates and their check.
 void register_proofs();
 
-/// From one fit to 100 000, on one and two threads: time and memory.
+/// From one fit to 100 000, on one and two threads.
 void register_scaling();
 
 /// The Fresnel pair as a study beside its family: the rate of its sums, and its fit from text.

@@ -23,7 +23,7 @@ void register_pair(Error error) {
       optimum = Minimax<FresnelQuadratic>(pair, metric, {1, 0}, {0, 1}).solve(start_of_minimax(pair, metric));
       benchmark::DoNotOptimize(optimum);
     }
-    if (optimum.status != Status::converged) state.SkipWithError("a fit did not converge");
+    require(optimum.status == Status::converged, "a fit did not converge");
     state.counters["digits"] = optimum.digits;
     state.counters["steps"] = optimum.iterations;
   })->Unit(benchmark::kMicrosecond);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/solver/benchmarks.hpp"
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/support/sweep.hpp"
@@ -57,7 +58,7 @@ struct Tally {
 
   /// The counter `digits` shows a fast wrong answer. A fit that did not converge fails the benchmark.
   void show(benchmark::State& state) const {
-    if (!have_all_converged) state.SkipWithError("a fit did not converge");
+    require(have_all_converged, "a fit did not converge");
     state.counters["digits"] = digits;
     state.counters["per_fit"] =
         benchmark::Counter(static_cast<double>(fits),

@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -58,10 +56,7 @@ void measure(benchmark::State& state, const Arguments& arguments) {
   double peak = 0;
   for (auto _ : state) {
     const Finished finished = run(arguments());
-    if (!finished.is_well) {
-      state.SkipWithError("the command failed");
-      break;
-    }
+    require(finished.is_well, "the command failed");
     state.SetIterationTime(finished.seconds);
     peak = std::max(peak, finished.peak_mb);
   }
@@ -104,47 +99,22 @@ void write_sources(const std::filesystem::path& folder) {
   }
 }
 
-/// The published numbers of four digits and more in the studies of this repository, one a line.
-void write_literals(const std::filesystem::path& file) {
-  std::ofstream out(file);
-  const std::regex number(R"re("-?([0-9.]{5,}(e-?[0-9]+)?)")re");
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(SHADEFIT_SOURCE_DIR "/studies")) {
-    std::ifstream study(entry.path());
-    for (std::string line; std::getline(study, line);) {
-      if (!line.starts_with("values = ")) continue;
-      for (std::sregex_iterator at(line.begin(), line.end(), number), end; at != end; ++at)
-        out << (*at)[1].str() << '\n';
-    }
-  }
-}
-
-/// A tree as large as a large engine, warm: by lint, and by ripgrep with the same digits as fixed strings.
-void measure_lint(benchmark::State& state, bool by_ripgrep) {
+/// A tree as large as a large engine, warm.
+void measure_lint(benchmark::State& state) {
   const ScratchDirectory directory;
-  const std::filesystem::path sources = directory.path() / "src", literals = directory.path() / "literals";
-  write_sources(sources);
-  write_literals(literals);
-  measure(state, [&] {
-    return by_ripgrep ? std::vector<std::string>{"rg", "-c", "-F", "-f", literals, sources}
-                      : std::vector<std::string>{SHADEFIT_COMMAND, "lint", sources};
-  });
-}
-
-template <class Measure, class... Arguments>
-void register_command(const char* name, Measure measure, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name, measure, arguments...)->UseManualTime()->Unit(benchmark::kMillisecond);
+  write_sources(directory.path());
+  measure(state, [&] { return std::vector<std::string>{SHADEFIT_COMMAND, "lint", directory.path()}; });
 }
 
 }  // namespace
 
 void register_process() {
-  register_command("process/run-no-plots", measure_run);
-  register_command("process/lint", measure_lint, false);
-  if (run({"rg", "--version"}).is_well)
-    register_command("process/lint/ripgrep", measure_lint, true);
-  else
-    std::fputs("process/lint/ripgrep is left out: rg is not installed\n", stderr);
-  register_command("process/version", measure_start);
+  const auto register_one = [](const char* name, auto measure_command) {
+    benchmark::RegisterBenchmark(name, measure_command)->UseManualTime()->Unit(benchmark::kMillisecond);
+  };
+  register_one("process/run-no-plots", measure_run);
+  register_one("process/lint", measure_lint);
+  register_one("process/version", measure_start);
 }
 
 }  // namespace shadefit::bench

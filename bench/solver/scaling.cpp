@@ -1,10 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
@@ -42,32 +38,14 @@ Tally fit_all(long count, long threads) {
   return all;
 }
 
-/// A line of Linux's status of this process, in 10^6 bytes: VmRSS is the current resident set, VmHWM its
-/// maximum since the last `forget_peak`. 0 without such a line.
-double resident_mb(std::string_view label) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.rfind(label, 0) == 0) return std::stod(line.substr(line.find(':') + 1)) * 1024 / 1e6;
-  }
-  return 0;
-}
-
-void forget_peak() {
-  std::ofstream("/proc/self/clear_refs") << 5;
-}
-
 void measure(benchmark::State& state) {
   const long count = state.range(0), threads = state.range(1);
-  forget_peak();
-  const double before = resident_mb("VmRSS");
   Tally tally;
   for (auto _ : state) {
     tally = fit_all(count, threads);
     benchmark::DoNotOptimize(tally);
   }
   tally.show(state);
-  state.counters["growth_MB"] = std::max(0.0, resident_mb("VmHWM") - before);
-  state.counters["peak_MB"] = resident_mb("VmHWM");
 }
 
 }  // namespace

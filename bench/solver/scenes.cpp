@@ -29,7 +29,7 @@ void plan_scene(benchmark::State& state, double tolerance) {
   const scene::Scene scene = scene_of(static_cast<int>(state.range(0)));
   for (auto _ : state) {
     const scene::Plan plan = scene::make_plan(scene, {.tolerance = tolerance});
-    if (!plan.is_within()) state.SkipWithError("the plan is not within the tolerance");
+    require(plan.is_within(), "the plan is not within the tolerance");
     benchmark::DoNotOptimize(plan.error);
   }
 }

@@ -1,20 +1,15 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
 #include "fit/families/families.hpp"
-#include "fit/formula/parse_formula.hpp"
 #include "fit/least_squares/sampled_problem.hpp"
 #include "fit/quadrature/gauss.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_squares/solve_study.hpp"
-#include "fit/tape/tape_program.hpp"
-#include "fit/truths/albedos.hpp"
-#include "fit/truths/truths.hpp"
 
 /// The Fresnel pair as a study, that is from text, beside its compiled family.
 namespace shadefit::bench {
@@ -63,57 +58,16 @@ void fit_from_text(benchmark::State& state) {
     fit = solve_study(read_study(pair), {});
     benchmark::DoNotOptimize(fit);
   }
-  if (fit.status != Status::converged) state.SkipWithError("the fit did not converge");
+  require(fit.status == Status::converged, "the fit did not converge");
   state.counters["digits"] = fit.digits;
-}
-
-/// A truth by its quadrature, and as a formula has it.
-void time_of_rule(benchmark::State& state, const Albedo& albedo) {
-  for (auto _ : state) benchmark::DoNotOptimize(albedo_by_rule(albedo, 0.3, 0.2));
-}
-
-void time_of_value(benchmark::State& state, const Albedo& albedo) {
-  double value = albedo_value(albedo, 0.3, 0.2);  // computes the rectangle
-  for (auto _ : state) benchmark::DoNotOptimize(value = albedo_value(albedo, 0.3, 0.2));
-}
-
-/// A truth that is a formula, also one with an integral, at one place: cosines, roughness and albedos are
-/// 0.3, the indices of refraction those of a metal.
-void time_of_formula(benchmark::State& state, const Truth& truth) {
-  std::string call(truth.name);
-  std::vector<double> place;
-  for (const std::string& name : truth.arguments) {
-    call += (place.empty() ? "(" : ", ") + name;
-    place.push_back(name == "n" ? 1.5 : name == "k" ? 3 : 0.3);
-  }
-  const FormulaNames names{.variables = truth.arguments, .takes_integrals = true};
-  TapeProgram<double> program(tape_of(read_formula(call + ")", names).formula, truth.arguments), {});
-  program.run(place);  // computes the rectangles of an albedo
-  for (auto _ : state) {
-    program.run(place);
-    benchmark::DoNotOptimize(program.output(0));
-  }
 }
 
 }  // namespace
 
 void register_studies() {
-  const auto register_one = [](const std::string& name, auto measure, auto... arguments) {
-    benchmark::RegisterBenchmark(name.c_str(), measure, arguments...)->Unit(benchmark::kMicrosecond);
-  };
-  for (const Truth& truth : truths()) {
-    const std::string name(truth.name);
-    if (!truth.formula.empty()) {
-      register_one("truth/formula/" + name, time_of_formula, truth);
-      continue;
-    }
-    const Albedo albedo = *find_albedo(name);
-    register_one("truth/rule/" + name, time_of_rule, albedo);
-    register_one("truth/value/" + name, time_of_value, albedo);
-  }
-  register_one("study/gradient/family", rate_of_family);
-  register_one("study/gradient/tape", rate_of_tape);
-  register_one("study/fit/from-text", fit_from_text);
+  benchmark::RegisterBenchmark("study/gradient/family", rate_of_family)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace shadefit::bench

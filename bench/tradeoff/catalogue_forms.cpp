@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "bench/forms/kernels.hpp"
 #include "bench/tradeoff/timed_forms.hpp"
 #include "fit/scalars/symbolic.hpp"
-#include "fit/support/user_error.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -39,28 +37,25 @@ Places grid_of(const forms::Target& target) {
 }
 
 template <class Real>
-std::vector<Real> values_of(forms::Kernel<Real> kernel, const Places& places, forms::Arguments arguments,
+std::vector<Real> values_of(forms::Kernel<Real> kernel, const Places& places,
                             const std::vector<double>& given) {
   const std::size_t size = places.front().size();
   std::vector<Real> parameters, in[3], out(size);
   for (const double x : given) parameters.push_back(static_cast<Real>(x));
   for (std::size_t i = 0; i < places.size(); ++i) in[i].assign(places[i].begin(), places[i].end());
-  std::vector<std::uint8_t> codes;
-  if (arguments == forms::Arguments::cosine_and_code) {
-    for (const float code : places.back()) codes.push_back(static_cast<std::uint8_t>(code));
-  }
-  kernel({{in[0].data(), in[1].data(), in[2].data()}, codes.data(), out.data(), size}, parameters);
+  kernel({{in[0].data(), in[1].data(), in[2].data()}, out.data(), size}, parameters);
   return out;
 }
 
 FormTarget made_target(const forms::Catalogue& catalogue, const forms::Target& target) {
   const forms::FormEntry& exact = forms::reference_of(catalogue, target.id);
-  const auto given = forms::parameters_of(target, exact.constants.front());
   FormTarget made{{std::string(target.id), std::string(target.id) + ": " + std::string(target.text)},
                   {},
                   grid_of(target),
-                  [kernel = forms::find_kernels(exact.id)->in_double, arguments = target.arguments,
-                   given](const Places& places) { return values_of(kernel, places, arguments, given); }};
+                  [kernel = forms::find_kernels(exact.id)->in_double,
+                   given = forms::parameters_of(target, exact.constants.front())](const Places& places) {
+                    return values_of(kernel, places, given);
+                  }};
   for (const std::vector<float>& axis : made.places) {
     const auto [low, high] = std::ranges::minmax(axis);
     made.ranges.push_back({low, high});
@@ -107,14 +102,12 @@ void append(FormsToTime& all, const forms::Target& target, const forms::FormEntr
                   .form = std::string(form.id),
                   .constants = constants.id,
                   .label = std::string(form.id),
-                  .exp2_degree = kernels.exp2_degree,
-                  // The first form of a target is the target itself.
-                  .is_reference = all.forms.empty() || all.forms.back().row.target != target.id};
+                  .exp2_degree = kernels.exp2_degree};
     if (constants.id != "none") row.label += ", " + constants.id;
     if (row.exp2_degree > 0) row.label += ", exp2 of degree " + std::to_string(row.exp2_degree);
-    row.max_abs_error = largest_error(values_of(kernels.in_float, all.targets.back().places, form.arguments,
-                                                forms::parameters_of(target, constants)),
-                                      truth);
+    row.max_abs_error = largest_error(
+        values_of(kernels.in_float, all.targets.back().places, forms::parameters_of(target, constants)),
+        truth);
     const std::string shape = full_id(row);
     all.forms.push_back(
         {all.targets.size() - 1, std::move(row), shape, function_of(target, form, constants)});
@@ -163,9 +156,6 @@ FormsToTime catalogue_forms(const forms::Catalogue& catalogue, const std::vector
       }
     }
   }
-  if (all.forms.empty())
-    throw UserError("bench has no form for --only '" + targets.front() +
-                    "': sums of several lights are not timed, phong-1 is one light");
   return all;
 }
 

@@ -175,7 +175,6 @@ Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clo
     row.multiply_adds = row.ns.median / unit.median;
     trade.forms.push_back(std::move(row));
   }
-  relate(trade);
   return trade;
 }
 

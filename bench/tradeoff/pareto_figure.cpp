@@ -24,11 +24,11 @@ std::vector<TimedForm> drawable_forms(const Trade& trade, const std::string& tar
     return timed.is_half || !(timed.max_abs_error > 0.0) || !std::isfinite(*timed.max_abs_error) ||
            !(timed.ns.median > 0);
   });
+  mark_unbeaten(forms);
   return forms;
 }
 
 Figure pareto_figure(const Trade& trade, const TimedTarget& target, const std::vector<TimedForm>& forms) {
-  const std::vector<std::size_t> front = front_among(forms);
   Figure figure{
       .name = "pareto-" + target.id,
       .family = "",
@@ -36,25 +36,21 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target, const std::v
           "Error against time of {}: each form in float. No form is both faster and more accurate than "
           "one on the line.",
           target.title),
-      .data = {{"ns", "front", "form", "reference", "name"}, {}},
+      .data = {{"ns", "front", "form", "name"}, {}},
       .script = ""};
   std::string names;
   double least = *forms.front().max_abs_error, largest = least;
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    const TimedForm& timed = forms[i];
-    const bool is_on_front = std::ranges::find(front, i) != front.end();
+  for (const TimedForm& timed : forms) {
+    const std::string name = trade.shows_all_sets ? timed.label : full_id(timed);
     least = std::min(least, *timed.max_abs_error);
     largest = std::max(largest, *timed.max_abs_error);
     const Cell error = Number{*timed.max_abs_error, 4};
-    figure.data.rows.push_back({Number{timed.ns.median, 4}, is_on_front ? error : Cell{},
-                                !is_on_front && !timed.is_reference ? error : Cell{},
-                                !is_on_front && timed.is_reference ? error : Cell{},
-                                OthersText(trade.shows_all_sets ? timed.label : full_id(timed))});
-    if (is_on_front)
+    figure.data.rows.push_back({Number{timed.ns.median, 4}, timed.is_unbeaten ? error : Cell{},
+                                timed.is_unbeaten ? Cell{} : error, OthersText(name)});
+    if (timed.is_unbeaten)
       names +=
           fmt::format("set label {} at first {:.4g}, first {:.4g} offset 0.8,0.6 front textcolor '#101010'\n",
-                      gnuplot_quoted(for_gnuplot(trade.shows_all_sets ? timed.label : full_id(timed))),
-                      timed.ns.median, *timed.max_abs_error);
+                      gnuplot_quoted(for_gnuplot(name)), timed.ns.median, *timed.max_abs_error);
   }
   const bool is_graphics = trade.machine.is_graphics();
   Panel panel{
@@ -68,17 +64,11 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target, const std::v
           logarithmic_range(forms.front().ns.median, forms.back().ns.median, 0.3),
           logarithmic_range(least, largest, 0.1), names),
       .abscissa = "ns",
-      .curves = {
-          {.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
-          {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
-          {.column = "reference", .label = "the target itself", .look = Look::fourth, .is_joined = false}}};
+      .curves = {{.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true}}};
   // gnuplot warns of a curve without data.
-  std::erase_if(panel.curves, [&](const Curve& curve) {
-    const auto column = std::ranges::find(figure.data.columns, curve.column) - figure.data.columns.begin();
-    return std::ranges::all_of(figure.data.rows, [&](const std::vector<Cell>& row) {
-      return std::holds_alternative<std::monostate>(row[static_cast<std::size_t>(column)]);
-    });
-  });
+  if (!std::ranges::all_of(forms, &TimedForm::is_unbeaten))
+    panel.curves.push_back(
+        {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false});
   figure.script = write_script({.name = figure.name,
                                 .about = "Run time against error: " + target.id,
                                 .columns = 1,

@@ -85,10 +85,7 @@ void append(FormsToTime& all, const StudyComparison& comparison, TimedTarget hea
     target.places = grid_over(target.ranges);
     target.truth = in_double(read.target, comparison.variables);
     const ShaderFunction itself{form_name, comparison.variables, read.target};
-    const TimedForm row{.form = "target",
-                        .constants = {},
-                        .label = "the target: " + comparison.study.target,
-                        .is_reference = true};
+    const TimedForm row{.form = "target", .label = "the target: " + comparison.study.target};
     if (has_code(itself, language)) all.forms.push_back({place, row, "target", itself});
   }
   for (const StudyContender& contender : comparison.contenders) {

@@ -64,7 +64,6 @@ enum class Exp2Kinds {
 
 /// The forms of the catalogue for these targets, or for all of them. Forms of several lights are left out:
 /// they are sums of one light. Errors are the largest in float on a dense grid, against the target in double.
-/// Throws UserError if only such targets are asked for.
 FormsToTime catalogue_forms(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
                             Exp2Kinds exp2);
 

@@ -1,8 +1,6 @@
 #include "bench/tradeoff/timing.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <numeric>
 
 namespace shadefit::bench {
 namespace {
@@ -22,13 +20,6 @@ void sample(const Work& work, Samples& samples, const Clock& clock) {
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::vector<std::size_t> visits(int round, std::size_t count) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  if (round % 2 == 1) std::reverse(order.begin(), order.end());
-  return order;
 }
 
 long calls_that_take(const Work& work, double seconds, const Clock& clock) {
@@ -51,7 +42,9 @@ std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPl
     all[i].calls = calls_that_take(work[i], plan.seconds, clock);
   }
   for (int round = 0; round < plan.rounds; ++round) {
-    for (const std::size_t i : visits(round, work.size())) {
+    for (std::size_t place = 0; place < work.size(); ++place) {
+      // Every other round goes backwards, so that the predecessor of a piece varies.
+      const std::size_t i = round % 2 == 0 ? place : work.size() - 1 - place;
       between(done++ / steps);
       sample(work[i], all[i], clock);
     }

@@ -41,15 +41,11 @@ struct Samples {
   std::vector<double> ns;  ///< per element, one number per round
 };
 
-/// The places of `count` pieces of work in the order in which a round visits them: every other round
-/// backwards, so that the predecessor of a piece varies.
-std::vector<std::size_t> visits(int round, std::size_t count);
-
 /// The number of calls that take at least `seconds` by that clock: doubled until they do, at most 2^30.
 long calls_that_take(const Work& work, double seconds, const Clock& clock);
 
-/// Times all of the work. Between visits, `between` gets the finished share, from 0 to 1. It may end the work
-/// by throwing.
+/// Times all of the work; every other round goes backwards. Between visits, `between` gets the finished
+/// share, from 0 to 1. It may end the work by throwing.
 std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan, const Clock& clock,
                                       const std::function<void(double)>& between);
 

@@ -1,11 +1,20 @@
 #include "bench/tradeoff/trade.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace shadefit::bench {
+
+std::string this_cpu() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
 
 std::string precision_of(const TimedForm& timed) {
   return timed.is_half ? "half" : "float";
@@ -15,12 +24,11 @@ std::string full_id(const TimedForm& timed) {
   return timed.exp2_degree == 0 ? timed.form : timed.form + "/exp2-" + std::to_string(timed.exp2_degree);
 }
 
-void relate(Trade& trade) {
-  for (TimedForm& timed : trade.forms) {
-    const auto reference = std::ranges::find_if(trade.forms, [&](const TimedForm& other) {
-      return other.is_reference && other.target == timed.target && other.is_half == timed.is_half;
-    });
-    if (reference != trade.forms.end()) timed.speed_up = reference->ns.median / timed.ns.median;
+void mark_unbeaten(std::vector<TimedForm>& forms) {
+  double least = std::numeric_limits<double>::infinity();
+  for (TimedForm& form : forms) {
+    form.is_unbeaten = form.max_abs_error && *form.max_abs_error < least;
+    if (form.is_unbeaten) least = *form.max_abs_error;
   }
 }
 
@@ -39,30 +47,8 @@ std::vector<TimedForm> shown_forms(const Trade& trade, const std::string& target
   }
   std::ranges::stable_sort(shown, {},
                            [](const TimedForm& row) { return std::pair(row.ns.median, row.max_abs_error); });
+  mark_unbeaten(shown);
   return shown;
-}
-
-std::vector<std::size_t> front_of(const std::vector<Offer>& offers) {
-  std::vector<std::size_t> order(offers.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) {
-    return !(offers[i].time == offers[i].time && offers[i].error == offers[i].error);
-  });
-  std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return std::pair(offers[i].time, offers[i].error); });
-  std::vector<std::size_t> front;
-  for (const std::size_t i : order) {
-    if (front.empty() || offers[i].error < offers[front.back()].error) front.push_back(i);
-  }
-  return front;
-}
-
-std::vector<std::size_t> front_among(const std::vector<TimedForm>& forms) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Offer> offers;
-  for (const TimedForm& form : forms)
-    offers.push_back({form.ns.median, form.max_abs_error.value_or(unknown)});
-  return front_of(offers);
 }
 
 }  // namespace shadefit::bench

@@ -32,7 +32,7 @@ struct GpuModel {
   bool operator==(const GpuModel&) const = default;
 };
 
-/// What is assumed of a GPU that is not at hand. `bench --probe` measures one that is (docs/devices.md).
+/// What is assumed of a GPU that is not at hand. docs/devices.md has what was measured.
 /// - exp2: NVIDIA states 2 ulp ("CUDA C++ Programming Guide", mathematical functions). Two drivers for CPUs
 ///   have 3.46 (Mesa's lavapipe) and 3.37 (SwiftShader), by every float. 4 is the whole number above.
 /// - log2: Vulkan's precision, 3 ulp outside of [1/2, 2] and 2^-21 inside (Khronos, "Vulkan Specification",

@@ -55,9 +55,8 @@ TEST(BenchCommand, WritesTimesReportAndPictureData) {
     degrees.insert(row[3]);
     EXPECT_GT(std::stod(row[5]), 0) << "a time of " << row[1];
     if (!row[0].empty()) {  // not a floor
-      EXPECT_NE(row[7], "") << "the target's time in that of " << row[1];
-      EXPECT_NE(row[8], "") << "error of " << row[1];
-      EXPECT_NE(row[9], "") << "multiply-adds of " << row[1];
+      EXPECT_NE(row[7], "") << "error of " << row[1];
+      EXPECT_NE(row[8], "") << "multiply-adds of " << row[1];
     }
   }
   EXPECT_EQ(targets, (std::set<std::string>{"", "schlick"}));
@@ -105,13 +104,8 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(
       refusal({"--device", "cuda"}),
       "shadefit: --device 'cuda' is not a device: it must be vulkan or vulkan:N, see 'shadefit bench --list-devices'\n");
-  const TemporaryDirectory directory;
-  EXPECT_EQ(refusal({"--exhaustive", "sg", "--half"}),
-            "shadefit: --half requires --device (see 'shadefit help bench')\n");
-  EXPECT_EQ(
-      refusal({"--only", "phong-64", "--out", directory / "out"}),
-      "shadefit: bench has no form for --only 'phong-64': sums of several lights are not timed, phong-1 is "
-      "one light\n");
+  EXPECT_TRUE(refusal({"--only", "phong-64"}).starts_with("shadefit: unknown target 'phong-64'"))
+      << "sums of several lights are not timed, phong-1 is one light";
 }
 
 TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
@@ -131,9 +125,6 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
       " (see 'shadefit help bench')\n");
   EXPECT_EQ(refused({"--exhaustive", "fresnel-fourth", "--constants", "mine"}).substr(0, 63),
             "shadefit: --constants 'mine' is not a set of fresnel-fourth: it");
-  EXPECT_EQ(
-      refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
-      "shadefit: --exp2-degree '3' does not apply to schlick: a form with an exp2 has 0 and 2 to 6 (see 'shadefit help bench')\n");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--quick"}),
             "shadefit: --exhaustive excludes --quick (see 'shadefit help bench')\n");
   for (const char* range : {"1:1", "0:0x3f800002", "a:b", "5", "2:1"}) {

@@ -257,6 +257,7 @@ TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
               "acos-cubic acos-linear acos-quadratic\n")
         << command;
   EXPECT_EQ(completed("shadefit help em"), "emit\n");
+  EXPECT_EQ(completed("shadefit bench --only phong-"), "phong-1\n") << "the others are not timed";
   EXPECT_EQ(completed("shadefit fit --round b"), "bfloat16\n");
   EXPECT_EQ(completed("shadefit fit sg-offset --exponent 5"), "\n") << "a number of the user";
 }

@@ -15,15 +15,12 @@
 #include "fit/scalars/binary_logarithm.hpp"
 #include "tests/bench/exp2_bounds.hpp"
 #include "tests/bench/exp2_choices.hpp"
-#include "tests/bench/exp2_fit.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::exp2_bounds;
 using testing::Exp2Bounds;
-using testing::Exp2Fit;
-using testing::fit_exp2;
 using testing::for_each_degree;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -42,33 +39,30 @@ double proven(const Exp2Coefficients& polynomial) {
   return 0;
 }
 
-// A new fit gives the printed digits: for floats all that distinguish them, for doubles fifteen.
-TEST(Exp2Fit, IsWhatIsPrinted) {
-  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree) {
-    const Exp2Fit fit = fit_exp2(degree);
-    ASSERT_EQ(fit.status, Status::converged) << degree << ": " << fit.why;
-    EXPECT_EQ(fit.contacts, degree + 1) << degree;
-    const auto record = static_cast<std::size_t>(degree - least_exp2_degree);
-    EXPECT_EQ(exp2_for_float[record].degree, degree);
-    EXPECT_EQ(exp2_for_double[record].degree, degree);
-    for (std::size_t i = 0; i < fit.coefficients.size(); ++i) {
-      const long double found = fit.coefficients[i];
-      const std::string which = "degree " + std::to_string(degree) + ", c" + std::to_string(i + 1);
-      // half a unit of the last digit, and what a long double of these is off
-      const long double fifteenth = std::pow(10.0L, std::floor(std::log10(found)) - 14);
-      const auto as_double = constant<long double>(exp2_for_double[record].printed[i]);
-      EXPECT_LE(std::fabs(as_double - found), 0.501L * fifteenth) << which;
-      const auto nearest = static_cast<float>(found);
-      const auto as_float = constant<long double>(exp2_for_float[record].printed[i]);
-      EXPECT_EQ(constant<float>(exp2_for_float[record].printed[i]), nearest) << which;
-      EXPECT_LE(std::fabs(as_float - static_cast<long double>(nearest)), 0.501e6L * fifteenth) << which;
+// The best: the error has its largest size at one place more than the polynomial has coefficients, and
+// error/r has alternating signs there.
+TEST(Exp2Polynomial, HasTheBestCoefficients) {
+  for_each_degree<double>([]<class P>(P) {
+    const auto c = exp2_coefficients<P, long double>();
+    constexpr std::size_t steps = 20000;
+    std::vector<double> error, size;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const long double r = static_cast<long double>(i) / steps - 0.5L;
+      error.push_back(static_cast<double>(exp2_near_zero(r, c) / std::exp2(r) - 1));
+      size.push_back(std::abs(error.back()));
     }
-  }
-}
-
-TEST(Exp2Fit, RefusesOtherDegrees) {
-  EXPECT_THROW(fit_exp2(1), std::logic_error);
-  EXPECT_THROW(fit_exp2(7), std::logic_error);
+    std::vector<bool> signs;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const bool is_maximum = (i == 0 || size[i] > size[i - 1]) && (i == steps || size[i] >= size[i + 1]);
+      if (is_maximum && size[i] > (1 - 1e-5) * *std::ranges::max_element(size))
+        signs.push_back((error[i] < 0) != (i < steps / 2));
+    }
+    EXPECT_EQ(signs.size(), c.size() + 1) << "degree " << P::record.degree;
+    EXPECT_EQ(std::ranges::adjacent_find(signs), signs.end()) << "degree " << P::record.degree;
+    const Exp2Coefficients& rounded = exp2_of_degree(exp2_for_float, P::record.degree);
+    for (std::size_t i = 0; i < c.size(); ++i)
+      EXPECT_EQ(constant<float>(rounded.printed[i]), static_cast<float>(c[i])) << "c" << i + 1;
+  });
 }
 
 // The stated bounds are the proven ones, rounded up.
@@ -82,24 +76,6 @@ TEST(Exp2Proof, StatesItsBounds) {
     const double half_ulp = bound.format == "float" ? 0x1p-24 : 0x1p-53;
     EXPECT_LE(bound.rounding, 3 * half_ulp);
     EXPECT_GE(bound.rounding, half_ulp);
-  }
-}
-
-// Doubles: no coefficient of the fit can be moved by a thousandth of the error's share and keep the bound.
-TEST(Exp2Fit, IsTheBest) {
-  const Exp2Fit fit = fit_exp2(4);
-  for (std::size_t moved = 0; moved < fit.coefficients.size(); ++moved) {
-    for (const double direction : {-1.0, 1.0}) {
-      auto c = std::array<long double, 4>{fit.coefficients[0], fit.coefficients[1], fit.coefficients[2],
-                                          fit.coefficients[3]};
-      c[moved] += static_cast<long double>(direction * fit.level);
-      long double largest = 0;
-      for (int i = 0; i <= 2000; ++i) {
-        const long double r = i / 2000.0L - 0.5L;
-        largest = std::max(largest, std::fabs(exp2_near_zero(r, c) / std::exp2(r) - 1));
-      }
-      EXPECT_GT(static_cast<double>(largest), 1.001 * fit.level) << "c" << moved + 1;
-    }
   }
 }
 

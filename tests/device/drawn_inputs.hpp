@@ -98,27 +98,8 @@ inline DrawnInputs drawn_normals() {
 
 /// What a target reads.
 inline DrawnInputs drawn_for(forms::Arguments arguments) {
-  switch (arguments) {
-    case forms::Arguments::cosine:
-      return drawn_cosines();
-    case forms::Arguments::cosine_and_code:
-      return drawn_cosines_and_codes();
-    case forms::Arguments::normal_to_lights:
-      return drawn_normals();
-  }
-  return {};
-}
-
-/// Every 16th of them, in the same boxes.
-inline DrawnInputs thinned(const DrawnInputs& drawn) {
-  constexpr std::size_t step = 16;
-  const std::size_t n = drawn.boxes.front().size();
-  DrawnInputs some{.arguments = {}, .boxes = drawn.boxes, .box_of = {}};
-  for (std::size_t i = 0; i < drawn.box_of.size(); i += step) {
-    for (std::size_t a = 0; a < n; ++a) some.arguments.push_back(drawn.arguments[i * n + a]);
-    some.box_of.push_back(drawn.box_of[i]);
-  }
-  return some;
+  if (arguments == forms::Arguments::cosine_and_code) return drawn_cosines_and_codes();
+  return arguments == forms::Arguments::cosine ? drawn_cosines() : drawn_normals();
 }
 
 /// The real value of each evaluation.

@@ -39,6 +39,7 @@ class OnDriver : public ::testing::TestWithParam<Driver> {
 
  private:
   EnvironmentVariable driver_{"VK_ICD_FILENAMES", GetParam().file};
+  EnvironmentVariable layer_{"VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation"};
 };
 
 }  // namespace shadefit::testing

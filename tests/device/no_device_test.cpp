@@ -15,7 +15,6 @@ TEST(NoDevice, IsOneLineAndNothingIsWritten) {
   const TemporaryDirectory directory;
   const std::vector<std::vector<std::string>> commands{
       {"bench", "--list-devices"},
-      {"bench", "--device", "vulkan", "--probe"},
       {"bench", "--device", "vulkan", "--quick", "--out", directory.path().string()},
       {"bench", "--exhaustive", "schlick", "--device", "vulkan", "--out", directory.path().string()}};
   for (const auto& command : commands) {
@@ -31,13 +30,6 @@ TEST(NoDevice, IsOneLineAndNothingIsWritten) {
 #endif
   }
   EXPECT_TRUE(snapshot(directory.path()).empty());
-}
-
-TEST(NoDevice, WhatDoesNotApplyToADeviceIsRefused) {
-  const Finished finished =
-      run_process({"bench", "--exhaustive", "sg", "--device", "vulkan", "--exp2-degree", "3"}, [] {});
-  EXPECT_EQ(finished.exit_code, 2);
-  EXPECT_NE(finished.err.find("--exp2-degree"), std::string::npos) << finished.err;
 }
 
 }  // namespace

@@ -59,11 +59,22 @@ TEST_F(Device, RunsEveryStudyWithinTheBoundInBothLanguages) {
     const Expected expected(form);
     // Near the horizon the air mass divides by a small sine.
     EXPECT_LE(count_vague(expected), expected.bounds.size() / 20) << form.function.name;
-    for (const ShaderLanguage language : languages) {
+    for (const Language language : languages) {
       EXPECT_EQ(beyond(form.function, language, expected.inputs, expected.values, expected.bounds), "")
-          << form.function.name << " in " << name_of(language);
+          << form.function.name << " in " << name(language);
     }
   }
+}
+
+/// The places of the digits of a number, from its first digit that is not 0. Of a zero: the last digit.
+std::vector<std::size_t> digits_of(const std::string& printed) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const bool is_digit = printed[i] >= '0' && printed[i] <= '9';
+    if (is_digit && !(places.empty() && printed[i] == '0')) places.push_back(i);
+  }
+  if (places.empty()) places.push_back(printed.find_last_of('0'));
+  return places;
 }
 
 /// The second digit of a number, or the last of a shorter one, 5 more or less. The bounds hide later ones.
@@ -85,10 +96,10 @@ TEST_F(Device, FindsAWrongDigitInEveryStudy) {
       PrintedValues wrong = form.constants;
       wrong[i].second = with_wrong_second_digit(wrong[i].second);
       const testing::FormOfStudy other = testing::form_of_study(form.function.name, form.read, wrong);
-      for (const ShaderLanguage language : languages) {
+      for (const Language language : languages) {
         EXPECT_NE(beyond(other.function, language, expected.inputs, expected.values, expected.bounds), "")
             << form.function.name << " with " << wrong[i].first << " = " << wrong[i].second << " in "
-            << name_of(language);
+            << name(language);
       }
       ++count;
     }
