@@ -5,10 +5,8 @@
 #include <utility>
 
 #include "lint/expression/calls.hpp"
-#include "lint/expression/program_text.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/scan/lists.hpp"
-#include "lint/scan/named_numbers.hpp"
 #include "lint/site_judge.hpp"
 
 namespace shadefit::lint {
@@ -31,9 +29,7 @@ bool fits(std::string_view text, const KnownSet& set, const JudgedSite& site, co
 bool has_rival_source(std::string_view text, const std::vector<KnownSet>& sets, const JudgedSite& site,
                       const JudgedNumber& number) {
   const KnownSet& set = sets[site.set];
-  const auto is_source = [&](const KnownSet& other) {
-    return other.id == set.id && other.times.empty() && set.times.empty();
-  };
+  const auto is_source = [&](const KnownSet& other) { return other.id == set.id; };
   const auto is_rival = [&](const KnownSet& other) {
     return other.form == set.form && other.constants.size() == set.constants.size() &&
            digits_of(other.constants[number.constant].printed) !=
@@ -67,27 +63,22 @@ Site without_arguments(Site site, const KnownSet& set, const ScannedText& text) 
   return site;
 }
 
-std::vector<JudgedSite> judge_numbers(const ScannedText& text, const KnownConstants& known,
-                                      const EffectLimits& limits, TextMemory& memory,
-                                      const Checkpoint& checkpoint) {
-  std::optional<std::string> code, comments;
+}  // namespace
+
+std::vector<JudgedSite> judge_text(std::string_view whole_text, CommentStyle style,
+                                   const KnownConstants& known, const EffectLimits& limits,
+                                   const Checkpoint& checkpoint) {
+  const std::vector<Literal> literals = literals_of(whole_text, style);
+  const ScannedText text{whole_text, style, literals};
+  TextMemory memory;
+  std::optional<std::string> code;
   const auto program_of = [&](const Site& site) {
-    const bool is_in_comment = text.literals[site.numbers.front().literal].is_in_comment;
-    std::optional<std::string>& program = is_in_comment ? comments : code;
-    if (!program) {
-      program = is_in_comment ? std::string(text.text) : with_blank_comments(text.text, text.style);
-      const std::string joined = with_joined_strings(*program, text.style);
-      // The strings may have comments of their own.
-      if (joined != *program) program = is_in_comment ? joined : with_blank_comments(joined, text.style);
-    }
-    return ScannedText{*program, text.style, text.literals};
+    if (text.literals[site.numbers.front().literal].is_in_comment) return text;
+    if (!code) code = with_blank_comments(text.text, text.style);
+    return ScannedText{*code, text.style, text.literals};
   };
   const auto reading = [&](const Site& site) {
     checkpoint();
-    // Another set with these digits explains them better than a multiple with other ones.
-    const bool is_exact = std::ranges::all_of(
-        site.numbers, [](const SiteNumber& number) { return number.match < DigitMatch::rounded; });
-    if (!known.sets[site.set].times.empty() && !is_exact) return Reading{};
     return reading_of(program_of(site), known.sets[site.set], site, memory);
   };
   std::vector<JudgedSite> judged;
@@ -102,69 +93,10 @@ std::vector<JudgedSite> judge_numbers(const ScannedText& text, const KnownConsta
                        is_in_table(text, site.numbers.front().literal, site.numbers.back().literal);
     for (JudgedNumber& number : one->numbers)
       if (number.grade != Grade::right && has_rival_source(text.text, known.sets, *one, number))
-        number.evidence = NumberEvidence::none;
+        number.is_certain = false;
     judged.push_back(std::move(*one));
   }
   return judged;
-}
-
-/// Whether one site has all numbers of another.
-bool covers(const JudgedSite& site, const JudgedSite& other) {
-  return std::ranges::all_of(other.numbers, [&](const JudgedNumber& number) {
-    return std::ranges::find(site.numbers, number.offset, &JudgedNumber::offset) != site.numbers.end();
-  });
-}
-
-/// The site with the places in the original text.
-JudgedSite in_original(JudgedSite site, const TextWithNumbers& with_numbers) {
-  for (JudgedNumber& number : site.numbers) {
-    // The name may mean something else where it is used again.
-    if (number.evidence == NumberEvidence::expression && with_numbers.is_named(number.offset) &&
-        with_numbers.count_uses(number.offset) > 1 + number.copies.size())
-      number.evidence = NumberEvidence::none;
-    number.offset = with_numbers.original(number.offset);
-    for (NumberPlace& copy : number.copies) copy.offset = with_numbers.original(copy.offset);
-  }
-  std::ranges::sort(site.numbers, {}, &JudgedNumber::offset);
-  return site;
-}
-
-}  // namespace
-
-std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
-                                   const EffectLimits& limits, const Checkpoint& checkpoint) {
-  const std::vector<Literal> literals = literals_of(text, style);
-  TextMemory memory;
-  const auto judged = [&](const ScannedText& one) {
-    return judge_numbers(one, known, limits, memory, checkpoint);
-  };
-  std::vector<JudgedSite> sites = judged({text, style, literals});
-  // Half of all numbers of three digits are near a constant.
-  constexpr std::size_t least_digits = 4;
-  const auto is_telling = [&](const Literal& literal) {
-    const std::vector<NumberMatch> matches = known.index.find(literal.digits);
-    return std::ranges::any_of(matches, [&](const NumberMatch& match) {
-      return match.match == DigitMatch::same || literal.significant >= least_digits;
-    });
-  };
-  const auto with_numbers = with_named_numbers(text, style, literals, is_telling);
-  if (!with_numbers) return sites;
-  const std::vector<Literal> with_names = literals_of(with_numbers->text(), style);
-  for (JudgedSite& one : judged({with_numbers->text(), style, with_names})) {
-    const bool has_names = std::ranges::any_of(
-        one.numbers, [&](const JudgedNumber& number) { return with_numbers->is_named(number.offset); });
-    if (!one.is_read || !has_names) continue;
-    JudgedSite site = in_original(std::move(one), *with_numbers);
-    // The formula tells more than the definitions alone. Its next copy tells nothing new.
-    const bool is_copy = std::ranges::any_of(sites, [&](const JudgedSite& before) {
-      return before.is_read && before.set == site.set && covers(before, site);
-    });
-    if (is_copy) continue;
-    std::erase_if(sites, [&](const JudgedSite& before) { return covers(site, before); });
-    sites.push_back(std::move(site));
-  }
-  std::ranges::stable_sort(sites, {}, [](const JudgedSite& site) { return site.numbers.front().offset; });
-  return sites;
 }
 
 }  // namespace shadefit::lint

@@ -19,15 +19,7 @@ struct KnownConstants {
   std::vector<KnownSet> sets;
   DigitIndex index;
 
-  /// Of these sets and their multiples.
-  explicit KnownConstants(std::vector<KnownSet> known)
-      : sets(with_multiples(std::move(known))), index(sets) {}
-
- private:
-  static std::vector<KnownSet> with_multiples(std::vector<KnownSet> sets) {
-    for (KnownSet& multiple : multiples_of(sets)) sets.push_back(std::move(multiple));
-    return sets;
-  }
+  explicit KnownConstants(std::vector<KnownSet> known) : sets(std::move(known)), index(sets) {}
 };
 
 /// The bytes of a number in a text.
@@ -35,19 +27,13 @@ struct NumberPlace {
   std::size_t offset = 0, length = 0;
 };
 
-/// What shows that a number is the constant.
-enum class NumberEvidence {
-  digits,      ///< its digits, or its place in the published order
-  expression,  ///< only the expression: with the published number there it is the form
-  none,        ///< another number near it may be the constant, another source may be meant, or other units
-};
-
 /// A number of a site.
 struct JudgedNumber : NumberPlace {
   std::size_t constant = 0;  ///< of the set
   Grade grade = Grade::right;
   std::vector<NumberPlace> copies = {};  ///< the other components of a vector of this number
-  NumberEvidence evidence = NumberEvidence::digits;
+  /// False: another number near it may be the constant, another source may be meant, or other units.
+  bool is_certain = true;
 };
 
 /// Constants of a set in a text.

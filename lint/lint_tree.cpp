@@ -58,7 +58,6 @@ LintedSite site_between(const std::string& file, std::string_view text, const Nu
 void add_set(LintedSite& site, const KnownSet& set, const GradedSite& graded) {
   site.id = set.id;
   site.form = set.form;
-  site.times = set.times;
   site.source = set.source;
   site.grade = graded.grade;
   site.effect = graded.effect;
@@ -78,8 +77,8 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
     const auto text_of = [&](const NumberPlace& place) {
       return std::string(text.substr(place.offset, place.length));
     };
-    site.numbers.push_back({constant.name, constant.printed, text_of(number), number.grade, number.offset,
-                            number.evidence != NumberEvidence::none});
+    site.numbers.push_back(
+        {constant.name, constant.printed, text_of(number), number.grade, number.offset, number.is_certain});
     for (const NumberPlace& copy : number.copies)
       site.numbers.back().copies.push_back({copy.offset, text_of(copy)});
   }

@@ -41,7 +41,6 @@ struct LintedSite {
   std::string file;
   TextPlace begin, end;  ///< of its first number, and after its last
   std::string id, form;  ///< of the set
-  std::string times;     ///< the factor of a multiple
   std::string source;
   std::vector<LintedNumber> numbers;
   Grade grade = Grade::right;

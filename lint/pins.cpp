@@ -11,7 +11,7 @@
 #include "fit/support/nearest.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/scan/digit_match.hpp"
-#include "lint/scan/notation.hpp"
+#include "lint/scan/literals.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -22,17 +22,11 @@ bool is_of_pin_name(char c) {
   return is_of_name(c) || c == '-' || c == '.';
 }
 
-/// The line before a mark, without the start of the comment; null if no comment starts there. Comments that
-/// document begin with more: "//!<", "/**".
+/// The line before a mark, without the start of the comment; null if no comment starts there.
 std::string_view before_comment(std::string_view line) {
   line = line.substr(0, begin_of_run(line, line.size(), is_blank));
-  for (const std::string_view begin :
-       {"//!<", "///<", "/**<", "/*!<", "//!", "/**", "/*!", "//", "#", "/*", "<!--"}) {
-    if (!line.ends_with(begin)) continue;
-    line.remove_suffix(begin.size());
-    while (line.ends_with('/')) line.remove_suffix(1);  // "///"
-    return line;
-  }
+  for (const std::string_view begin : {"//", "#", "/*", "<!--"})
+    if (line.ends_with(begin)) return line.substr(0, line.size() - begin.size());
   return {};
 }
 
@@ -43,49 +37,14 @@ std::string_view name_behind(std::string_view text) {
   return name.substr(0, name.find_last_not_of(".-") + 1);  // npos + 1 is 0
 }
 
-/// Whether a member begins there: `v.x`, or `v.0` of a tuple, which is not a number.
-bool begins_member(std::string_view line, std::size_t at) {
-  return line[at] == '.' && at > 0 &&
-         (is_of_name(line[at - 1]) || line[at - 1] == ')' || line[at - 1] == ']');
-}
-
-/// The number that a text begins with, unless more of a version or of a range follows: 1.2.3, 0..5.
-std::string_view whole_number(std::string_view text) {
-  const auto number = notation_at(text);
-  if (!number) return {};
-  const std::string_view rest = text.substr(number->length);
-  const bool is_continued = rest.size() > 1 && rest[0] == '.' && (is_digit(rest[1]) || rest[1] == '.');
-  return is_continued ? std::string_view{} : text.substr(0, number->length);
-}
-
-/// The end of a word, or of a number that is not decimal: 0x1.8p+1 is one number.
-std::size_t end_of_other_number(std::string_view line, std::size_t at) {
-  const bool is_hexadecimal = line[at] == '0' && at + 1 < line.size() && (line[at + 1] | 0x20) == 'x';
-  const auto is_part = [&](std::size_t i) {
-    const bool is_sign = line[i] == '+' || line[i] == '-';
-    if (is_hexadecimal && is_sign) return (line[i - 1] | 0x20) == 'p';
-    if (is_hexadecimal && line[i] == '\'') return true;  // separates digits
-    return is_of_name(line[i]) || line[i] == '.';
-  };
-  ++at;
-  while (at < line.size() && is_part(at)) ++at;
-  return at;
-}
-
-/// The last number of a line; empty if there is none or if it is not decimal.
+/// The last number of a line; empty if there is none, or if 0 or a number that is not decimal follows.
 std::string_view last_number(std::string_view line) {
-  std::string_view last;
-  for (std::size_t i = 0; i < line.size();) {
-    const std::string_view rest = line.substr(i);
-    const bool is_member = begins_member(line, i);
-    if (!is_member && (is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1])))) {
-      last = whole_number(rest);
-      i = last.empty() ? end_of_other_number(line, i) : i + last.size();
-    } else {
-      i = is_member || is_of_name(rest[0]) ? end_of_run(line, i + 1, is_of_name) : i + 1;
-    }
-  }
-  return last;
+  const std::vector<Literal> all = literals_of(line, CommentStyle::none);
+  if (all.empty()) return {};
+  const std::size_t end = all.back().offset + all.back().length;
+  for (std::size_t i = end; i < line.size(); ++i)
+    if (is_digit(line[i]) && (i == end || !is_of_name(line[i - 1]))) return {};
+  return line.substr(all.back().offset, all.back().length);
 }
 
 /// What stands behind the word, without the end of the comment.
@@ -96,28 +55,6 @@ std::string reason_in(std::string_view text) {
   return std::string(text.substr(first, last - first + 1));
 }
 
-/// The parts of a name: STUDY.CONSTANT or STUDY.FORM.CONSTANT.
-struct PinName {
-  std::string study, form, constant;
-};
-
-std::optional<PinName> split(std::string_view name) {
-  const std::size_t first = name.find('.'), last = name.rfind('.');
-  if (first == std::string_view::npos || first == 0) return std::nullopt;
-  PinName parts{std::string(name.substr(0, first)), "", std::string(name.substr(last + 1))};
-  if (last > first) parts.form = name.substr(first + 1, last - first - 1);
-  return parts;
-}
-
-/// "; did you mean 'x'?", or all names if they are few.
-std::string advice(const std::string& misspelled, const std::set<std::string>& known) {
-  const std::vector<std::string> names(known.begin(), known.end());
-  constexpr std::size_t few = 8;
-  if (const auto nearest = nearest_name(misspelled, names))
-    return fmt::format("; did you mean '{}'?", *nearest);
-  return names.size() <= few ? fmt::format("; it has {}", fmt::join(names, ", ")) : "";
-}
-
 /// The constants that a name means, one for each source; or what is wrong with the name.
 struct PinTargets {
   std::vector<ConstantPlace> found = {};
@@ -125,35 +62,29 @@ struct PinTargets {
 };
 
 PinTargets targets_of(std::string_view name, const std::vector<KnownSet>& sets) {
-  const auto parts = split(name);
-  if (!parts) return {.fault = fmt::format("'{}' must be STUDY.CONSTANT or STUDY.FORM.CONSTANT", name)};
-  std::set<std::string> studies, forms, constants, forms_found;
+  std::set<std::string> names, forms;
   PinTargets targets;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    studies.insert(sets[i].id);
-    if (sets[i].id != parts->study || !sets[i].times.empty()) continue;
-    forms.insert(sets[i].form);
-    if (!parts->form.empty() && sets[i].form != parts->form) continue;
-    for (std::size_t j = 0; j < sets[i].constants.size(); ++j) {
-      if (sets[i].constants[j].is_of_form) continue;  // it has no name
-      constants.insert(sets[i].constants[j].name);
-      if (sets[i].constants[j].name != parts->constant) continue;
+    const KnownSet& set = sets[i];
+    for (std::size_t j = 0; j < set.constants.size(); ++j) {
+      if (set.constants[j].is_of_form) continue;  // it has no name
+      const std::string plain = set.id + "." + set.constants[j].name,
+                        full =
+                            set.form.empty() ? plain : set.id + "." + set.form + "." + set.constants[j].name;
+      names.insert({plain, full});
+      if (name != plain && name != full) continue;
       targets.found.push_back({i, j});
-      forms_found.insert(sets[i].form);
+      forms.insert(full);
     }
   }
-  if (forms.empty())
+  if (targets.found.empty()) {
+    const auto nearest = nearest_name(name, std::vector(names.begin(), names.end()));
+    targets.fault = fmt::format("no published constant has the name '{}'{}", name,
+                                nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
+  } else if (forms.size() > 1) {
     targets.fault =
-        fmt::format("no study '{}' has published constants{}", parts->study, advice(parts->study, studies));
-  else if (constants.empty())
-    targets.fault = fmt::format("'{}' has no published form '{}'{}", parts->study, parts->form,
-                                advice(parts->form, forms));
-  else if (targets.found.empty())
-    targets.fault = fmt::format("'{}' has no published constant '{}'{}", parts->study, parts->constant,
-                                advice(parts->constant, constants));
-  else if (forms_found.size() > 1)
-    targets.fault = fmt::format("'{}' has several published forms; write {}.{}.{}", parts->study,
-                                parts->study, fmt::join(forms_found, "|"), parts->constant);
+        fmt::format("several published forms have '{}'; write {}", name, fmt::join(forms, " or "));
+  }
   return targets;
 }
 

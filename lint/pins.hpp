@@ -21,8 +21,7 @@ struct Pin {
   std::string_view number;
 };
 
-/// The marks of a text, by their places. A comment begins with //, #, /* or <!--, or with the signs of one
-/// that documents, such as //!< and /**, in every language.
+/// The marks of a text, by their places. A comment begins with //, #, /* or <!-- in every language.
 std::vector<Pin> pins_of(std::string_view text);
 
 /// The reason of a comment in a line that begins with "shadefit: ignore REASON".

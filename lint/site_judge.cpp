@@ -1,18 +1,15 @@
 #include "lint/site_judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "lint/expression/program_text.hpp"
 #include "lint/expression/source_expression.hpp"
 #include "lint/scan/lists.hpp"
-#include "lint/scan/notation.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -32,9 +29,6 @@ std::string text_without_names(const Symbolic& expression) {
 /// some 100 forms fit by chance in one of 2^13 cases, and the median form has 6 operations, one bit for each.
 constexpr double bits_for_a_slip = 13 + 6;
 
-/// The indices of the two branches among the parts of a choice.
-constexpr std::array<std::size_t, 2> branches{2, 3};
-
 std::vector<Symbolic> expressions_in(std::string_view text, std::size_t begin, std::size_t end,
                                      CommentStyle style, TextMemory& memory) {
   const auto read = [&](std::string_view one, CommentStyle as) {
@@ -45,34 +39,6 @@ std::vector<Symbolic> expressions_in(std::string_view text, std::size_t begin, s
     if (auto expression = read(one, style)) found.push_back(std::move(*expression));
   for (Symbolic& value : values_around(text, begin, end, style, read)) found.push_back(std::move(value));
   return found;
-}
-
-/// A part of a text and its numbers.
-struct PartOfText {
-  std::string text;
-  std::vector<Literal> literals;
-};
-
-/// The text around the literals from `first` to `last`, with another number at some of them.
-PartOfText part_with(const ScannedText& whole, std::size_t first, std::size_t last,
-                     std::span<const std::size_t> changed, std::string_view number) {
-  constexpr std::size_t most_bytes_around = 2000;  // no expression is read farther away
-  const auto& [text, style, literals] = whole;
-  PartOfText part;
-  std::size_t done = literals[first].offset - std::min(literals[first].offset, most_bytes_around);
-  for (std::size_t i = first; i <= last; ++i) {
-    Literal& literal = part.literals.emplace_back(literals[i]);
-    part.text += text.substr(done, literal.offset - done);
-    done = literal.offset + literal.length;
-    std::string digits(text.substr(literal.offset, literal.length));
-    if (std::ranges::find(changed, i) != changed.end()) digits = rewritten(digits, number);
-    literal.offset = part.text.size();
-    literal.length = digits.size();
-    literal.digits = digits_of(digits);
-    part.text += digits;
-  }
-  part.text += text.substr(done, most_bytes_around);
-  return part;
 }
 
 /// The literals that stand for a constant, by their indices.
@@ -105,96 +71,54 @@ class SiteReader {
     if (is_in_other_units(site_) || lacks_constants()) return std::nullopt;
     std::vector<double> numbers;
     for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants_[number.constant]));
-    std::optional<ExpressionMatch> slip, core;
+    std::optional<ExpressionMatch> slip;
     for (const Symbolic& one : expressions(site_.numbers.front().literal, site_.numbers.back().literal)) {
       auto match = memory_.matches.get({&set_, text_without_names(one), constants_, numbers, missing_}, [&] {
         return match_expression(one, set_, constants_, numbers, missing_);
       });
       if (!match) continue;
-      if (match->is_core && !match->replaced) {
-        if (!core) core = std::move(match);
-        continue;
-      }
       if (match->slip.empty()) return match;
       if (!slip && believes_slips()) slip = std::move(match);
     }
-    if (slip) return slip;
-    return core ? core : slip_of_branch();
+    return slip;
   }
 
   /// How much of the form the text contains.
   Reading reading() const {
     const std::size_t count = site_.numbers.size();
-    if (const auto match = read(); match && match->slip.empty() && !match->is_core)
+    if (const auto match = read(); match && match->slip.empty())
       return {Reading::Part::form, count + (match->replaced ? 1 : 0)};
-    const bool has_branch =
-        std::ranges::any_of(branches, [&](std::size_t part) { return reads_branch(part); });
+    const bool has_branch = reads_branch(2) || reads_branch(3);  // the parts of a choice behind its condition
     return {has_branch ? Reading::Part::branch : Reading::Part::nothing, count};
   }
 
-  /// The literals of a constant that has this value at the site, and that only the expression shows. They are
-  /// certain if the text with the published number at these literals is the form with it. Several literals
-  /// are in a row, as in vec3(0.4, 0.4, 0.4). If none are certain, the nearest literal with this value.
+  /// The literals of a constant that has this value at the site, and that only the expression shows: the
+  /// nearest one, or several in a row, as in vec3(0.4, 0.4, 0.4). They are certain if no other literal near
+  /// has this value.
   FoundLiterals literals_of(std::size_t constant, double value) const {
-    const std::vector<std::size_t> near = candidates(constant, value);
-    for (const std::size_t& one : near)
-      if (is_form_with(constant, {&one, 1})) return {{one}, true};
-    std::vector<std::size_t> all = near;
-    std::ranges::sort(all);
-    for (auto begin = all.begin(), end = begin; begin != all.end(); begin = end) {
-      for (end = begin + 1; end != all.end() && *end == *(end - 1) + 1;) ++end;
-      if (end - begin > 1 && is_form_with(constant, {begin, end})) return {{begin, end}, true};
-    }
-    return near.empty() ? FoundLiterals{} : FoundLiterals{{near.front()}, false};
-  }
-
- private:
-  /// One branch of a choice as a set of its own, with those of its numbers that are at the site.
-  struct Branch {
-    KnownSet set;
-    std::vector<double> numbers;
-    std::vector<Symbolic> expressions;  ///< around them
-  };
-
-  bool believes_slips() const {
-    return site_.numbers.size() > 1 && site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
-  }
-
-  /// The literals with this value that are no other constant, the nearest ones first.
-  std::vector<std::size_t> candidates(std::size_t constant, double value) const {
-    constexpr std::size_t near = 8;
+    constexpr std::size_t most_literals = 8;
     const std::size_t first = site_.numbers.front().literal, last = site_.numbers.back().literal;
+    const auto is_taken = [&](std::size_t i) {
+      return std::ranges::any_of(site_.numbers, [&](const SiteNumber& number) {
+        return number.literal == i && number.constant != constant;
+      });
+    };
+    std::vector<std::size_t> near;
+    for (std::size_t i = first - std::min(first, most_literals);
+         i < std::min(text_.literals.size(), last + most_literals); ++i)
+      if (!is_taken(i) && number_of(text_.literals[i].digits) == value) near.push_back(i);
+    if (near.empty()) return {};
+    if (near.back() - near.front() + 1 == near.size()) return {std::move(near), true};
     const auto distance = [&](std::size_t i) {  // in bytes
       return i < first ? text_.literals[first].offset - text_.literals[i].offset
                        : text_.literals[i].offset - text_.literals[std::min(i, last)].offset;
     };
-    std::vector<std::size_t> found;
-    for (std::size_t i = first - std::min(first, near); i < std::min(text_.literals.size(), last + near);
-         ++i) {
-      const bool is_taken = std::ranges::any_of(site_.numbers, [&](const SiteNumber& number) {
-        return number.literal == i && number.constant != constant;
-      });
-      if (!is_taken && number_of(text_.literals[i].digits) == value) found.push_back(i);
-    }
-    std::ranges::stable_sort(found, [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-    return found;
+    return {{*std::ranges::min_element(near, {}, distance)}, false};
   }
 
-  /// Whether the text is the form if the published number stands at these literals, which rise.
-  bool is_form_with(std::size_t constant, std::span<const std::size_t> at) const {
-    Site site{site_.set, {}, site_.bits};
-    for (const SiteNumber& number : site_.numbers)
-      if (number.constant != constant) site.numbers.push_back(number);
-    site.numbers.push_back({at.back(), constant});
-    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
-    const std::size_t first = std::min(at.front(), site.numbers.front().literal);
-    const PartOfText part =
-        part_with(text_, first, site.numbers.back().literal, at, set_.constants[constant].printed);
-    for (SiteNumber& number : site.numbers) number.literal -= first;
-    const ScannedText changed{part.text, text_.style, part.literals};
-    const auto match = SiteReader(changed, set_, site, memory_).read();
-    return match && match->slip.empty() && !match->replaced &&
-           match->constants[constant] == set_.constants[constant].value;
+ private:
+  bool believes_slips() const {
+    return site_.numbers.size() > 1 && site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
   }
 
   /// Whether more than one constant is missing that a program must have, unlike 1 or pi/2. Then no expression
@@ -215,52 +139,25 @@ class SiteReader {
     return expressions_in(program, begin - start, end - start, CommentStyle::none, memory_);
   }
 
-  /// The constants of one branch, and the text around them. Empty if the form is not a choice, or if the
-  /// branch is as simple as u/s, which is in many formulas.
-  std::optional<Branch> branch(std::size_t part) const {
+  /// Whether the text around the constants of a branch computes that branch: pow((u + a)/b, p). Not one as
+  /// simple as u/s, which is in many formulas.
+  bool reads_branch(std::size_t part) const {
     constexpr std::size_t least_constants = 2;
-    if (set_.formula.kind() != Symbolic::Kind::choice) return std::nullopt;
-    Branch found{set_, {}, {}};
-    found.set.formula = set_.formula.part(part);
-    const std::set<std::string> names = names_of(found.set.formula);
+    if (set_.formula.kind() != Symbolic::Kind::choice) return false;
+    KnownSet branch = set_;
+    branch.formula = set_.formula.part(part);
+    const std::set<std::string> names = names_of(branch.formula);
     std::vector<std::size_t> literals;
+    std::vector<double> numbers;
     for (const SiteNumber& number : site_.numbers) {
       if (!names.contains(set_.constants[number.constant].name)) continue;
       literals.push_back(number.literal);
-      found.numbers.push_back(std::abs(constants_[number.constant]));
+      numbers.push_back(std::abs(constants_[number.constant]));
     }
-    if (literals.size() < least_constants) return std::nullopt;
-    found.expressions = expressions(literals.front(), literals.back());
-    return found;
-  }
-
-  /// Whether the text around the constants of a branch computes that branch: pow((u + a)/b, p).
-  bool reads_branch(std::size_t part) const {
-    const auto found = branch(part);
-    return found && std::ranges::any_of(found->expressions, [&](const Symbolic& expression) {
-             return is_form(expression, found->set, constants_, found->numbers);
-           });
-  }
-
-  /// The form with a slip in one branch, if the branches are statements of their own.
-  std::optional<ExpressionMatch> slip_of_branch() const {
-    if (!believes_slips()) return std::nullopt;
-    for (const std::size_t part : branches) {
-      const auto found = branch(part);
-      if (!found) continue;
-      std::optional<ExpressionMatch> slip;
-      for (const Symbolic& expression : found->expressions) {
-        auto match = match_expression(expression, found->set, constants_, found->numbers, {});
-        if (match && match->slip.empty()) return std::nullopt;
-        if (match && !slip) slip = std::move(match);
-      }
-      if (!slip) continue;
-      std::vector<Symbolic> parts = set_.formula.parts();
-      parts[part] = slip->form;
-      slip->form = set_.formula.with_parts(std::move(parts));
-      return slip;
-    }
-    return std::nullopt;
+    return literals.size() >= least_constants &&
+           std::ranges::any_of(
+               expressions(literals.front(), literals.back()),
+               [&](const Symbolic& expression) { return is_form(expression, branch, constants_, numbers); });
   }
 
   const ScannedText& text_;
@@ -299,9 +196,8 @@ class SiteJudge {
     judged.is_read = is_read;
     judged.is_in_comment = std::ranges::all_of(
         site_.numbers, [&](const SiteNumber& number) { return at(number.literal).is_in_comment; });
-    // A comment without a formula may wrap a number or mention an older one, unless it has the whole set.
-    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right && !is_whole_set())
-      return std::nullopt;
+    // A comment without a formula may wrap a number or mention an older one.
+    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right) return std::nullopt;
     for (const SiteNumber& number : site_.numbers)
       if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
     return judged;
@@ -314,15 +210,6 @@ class SiteJudge {
     return digits_of(set_.constants[number.constant].printed);
   }
 
-  /// Whether all constants are there with as many digits as published, right or wrong.
-  bool is_whole_set() const {
-    return site_.numbers.size() == set_.constants.size() &&
-           std::ranges::all_of(site_.numbers, [&](const SiteNumber& number) {
-             return number.match <= DigitMatch::float32 ||
-                    digits_at(number).text.size() == published(number).text.size();
-           });
-  }
-
   std::vector<JudgedNumber> judged_numbers() const {
     const bool has_other_units = is_in_other_units(site_);
     std::vector<JudgedNumber> numbers;
@@ -331,22 +218,12 @@ class SiteJudge {
       const bool is_of_units =
           has_other_units && (is_shifted || !have_near_exponents(digits_at(number), published(number)));
       const Grade grade = is_of_units && is_shifted ? Grade::right : lint::grade_of(set_, number);
-      if (is_by_expression(number)) {
-        numbers.push_back(by_expression(number.constant, number_of(digits_at(number)), grade).value());
-        continue;
-      }
       std::vector<std::size_t> places(number.repeats + 1);
       std::iota(places.begin(), places.end(), number.literal - number.repeats);
       numbers.push_back(judged_number(places, number.constant, grade));
-      if (is_of_units) numbers.back().evidence = NumberEvidence::none;
+      numbers.back().is_certain = !is_of_units;
     }
     return numbers;
-  }
-
-  /// Whether neither the digits nor a list shows which constant a number is: two slips in three digits.
-  bool is_by_expression(const SiteNumber& number) const {
-    return number.match == DigitMatch::edited && !number.variant && site_.bits < telling_bits &&
-           published(number).text.size() < least_digits_to_vary;
   }
 
   /// A number at these literals. Its place is the last one.
@@ -358,22 +235,18 @@ class SiteJudge {
     return number;
   }
 
-  /// The number that is a constant by the expression alone. Empty if no number near has this value.
-  std::optional<JudgedNumber> by_expression(std::size_t constant, double value, Grade grade) const {
-    const FoundLiterals found = reader_.literals_of(constant, value);
-    if (found.literals.empty()) return std::nullopt;
-    JudgedNumber number = judged_number(found.literals, constant, grade);
-    number.evidence = found.are_certain ? NumberEvidence::expression : NumberEvidence::none;
-    return number;
-  }
-
   /// The number that replaces a constant: in the published order, or by the expression.
   std::optional<JudgedNumber> replacing(const ExpressionMatch& match,
                                         const std::optional<std::size_t>& in_order) const {
     const std::size_t constant = *match.replaced;
     const double value = std::abs(match.constants[constant]);
     const Grade grade = grade_of_other(set_.constants[constant], value);
-    return in_order ? judged_number({*in_order}, constant, grade) : by_expression(constant, value, grade);
+    if (in_order) return judged_number({*in_order}, constant, grade);
+    const FoundLiterals found = reader_.literals_of(constant, value);
+    if (found.literals.empty()) return std::nullopt;
+    JudgedNumber number = judged_number(found.literals, constant, grade);
+    number.is_certain = found.are_certain;
+    return number;
   }
 
   /// If the published order is kept and one constant inside it is missing, the only number between its

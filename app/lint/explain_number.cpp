@@ -23,9 +23,9 @@ using lint::DigitMatch;
 using lint::NumberMatch;
 
 /// In the order of `DigitMatch`.
-constexpr std::array<std::string_view, 8> words_of_matches{
-    "the same digits", "more digits",           "digits of its float", "as many digits",
-    "fewer digits",    "another decimal point", "one digit differs",   "one digit differs"};
+constexpr std::array<std::string_view, 7> words_of_matches{
+    "the same digits",       "more digits",       "digits of its float", "fewer digits",
+    "another decimal point", "one digit differs", "one digit differs"};
 
 /// A constant and how it agrees with the number.
 struct NamedConstant {
@@ -39,8 +39,7 @@ NamedConstant named(const lint::KnownSet& set, const NumberMatch& found) {
   if (found.variant)
     published = fmt::format("{}, mistyped or replaced: {}", published, set.variants[*found.variant].printed);
   return {found.match,
-          {set.id, set.form + (set.times.empty() ? "" : " times " + set.times),
-           constant.is_of_form ? "" : constant.name, published,
+          {set.id, set.form, constant.is_of_form ? "" : constant.name, published,
            word(words_of_matches.at(static_cast<std::size_t>(found.match))), set.source}};
 }
 

@@ -56,26 +56,17 @@ LintOptions with_config(LintOptions options, lint::TreeOptions& tree) {
   return options;
 }
 
-/// All published sets: those of the studies and the exact constants. `refused` gets a line for each study
-/// that could not be read.
-lint::KnownConstants known_constants(const StudyFolders& given, std::vector<std::string>& refused) {
-  LoadedStudies studies = load_studies(known_study_files(study_folders(given)));
-  refused = std::move(studies.refused);
-  return lint::KnownConstants(lint::known_sets(studies.files));
-}
-
 /// The fingerprints of an earlier report in JSON.
 std::set<std::string> known_fingerprints(const std::string& file) {
   constexpr std::uintmax_t most_bytes = 64 << 20;
   const std::string what = fmt::format("--baseline '{}'", file);
   const auto json = parse_own_json(read_bounded(file, most_bytes), what);
-  if (!json.is_object() || !json.contains("findings") || !json["findings"].is_array())
-    throw UserError(what + " is not a report of lint: make one with --format json");
   std::set<std::string> known;
-  for (const auto& finding : json["findings"]) {
-    if (!finding.is_object() || !finding.contains("fingerprint") || !finding["fingerprint"].is_string())
-      throw UserError(what + " has a finding without a fingerprint");
-    known.insert(finding["fingerprint"].get<std::string>());
+  try {
+    for (const auto& finding : json.at("findings"))
+      known.insert(finding.at("fingerprint").get<std::string>());
+  } catch (const nlohmann::json::exception&) {
+    throw UserError(what + " is not a report of lint: make one with --format json");
   }
   return known;
 }
@@ -91,61 +82,31 @@ std::string warnings_of(const lint::SkippedFiles& skipped) {
 struct FixedFile {
   std::string name;           ///< as in `LintedSite::file`
   std::string before, after;  ///< its bytes
-  std::size_t numbers = 0;    ///< that are rewritten
+  long numbers = 0;           ///< that are rewritten
 };
 
-using SitesByFile = std::map<std::string, std::vector<lint::LintedSite>>;
-
-SitesByFile by_file(const std::vector<lint::LintedSite>& sites) {
-  SitesByFile files;
-  for (const lint::LintedSite& site : sites) files[site.file].push_back(site);
-  return files;
-}
-
-/// Throws UserError unless each number still stands where it was found.
-void require_unchanged(const std::string& name, const std::string& text,
-                       const std::vector<lint::LintedSite>& sites) {
-  const auto require = [&](std::size_t offset, const std::string& number) {
-    if (offset > text.size() || text.compare(offset, number.size(), number) != 0)
-      throw UserError(fmt::format("'{}' changed while it was read: run lint again", name));
-  };
-  for (const lint::LintedSite& site : sites) {
-    for (const lint::LintedNumber& number : site.numbers) {
-      require(number.offset, number.text);
-      for (const lint::NumberCopy& copy : number.copies) require(copy.offset, copy.text);
-    }
-  }
-}
-
-/// The files of the tree that fixes change, read once more. Throws UserError for a file that has changed
-/// since it was judged.
-std::vector<FixedFile> fixed_files(const lint::LintedTree& tree, lint::FixScope scope) {
+/// The files that fixes change, each read and judged once more. Of these the tree gets the sites that are
+/// left once they are written.
+std::vector<FixedFile> fixed_files(
+    lint::LintedTree& tree, const lint::SourceTree& sources, lint::FixScope scope,
+    const std::function<std::vector<lint::LintedSite>(const lint::SourceFile&, const std::string&)>& judge) {
+  std::set<std::string> faulty;
+  for (const lint::LintedSite& site : tree.sites)
+    if (site.grade != lint::Grade::right) faulty.insert(site.file);
   std::vector<FixedFile> files;
-  for (const auto& [name, sites] : by_file(tree.sites)) {
-    const bool is_right = std::ranges::all_of(
-        sites, [](const lint::LintedSite& site) { return site.grade == lint::Grade::right; });
-    if (is_right) continue;
-    FixedFile file{.name = name, .before = read_bounded(name, lint::largest_source), .after = {}};
-    require_unchanged(name, file.before, sites);
-    const std::vector<lint::Fix> fixes = lint::fixes_of(sites, file.before, scope);
+  for (const lint::SourceFile& source : sources.files) {
+    if (!faulty.contains(source.name)) continue;
+    FixedFile file{source.name, read_bounded(source.path, lint::largest_source), {}};
+    const std::vector<lint::Fix> fixes = lint::fixes_of(judge(source, file.before), file.before, scope);
+    if (fixes.empty()) continue;
     file.after = lint::fixed_text(file.before, fixes);
-    file.numbers = fixes.size();
-    if (file.numbers > 0) files.push_back(std::move(file));
+    file.numbers = std::ssize(fixes);
+    std::erase_if(tree.sites, [&](const lint::LintedSite& site) { return site.file == source.name; });
+    std::ranges::move(judge(source, file.after), std::back_inserter(tree.sites));
+    files.push_back(std::move(file));
   }
+  std::ranges::stable_sort(tree.sites, {}, &lint::LintedSite::file);
   return files;
-}
-
-/// The sites that are left once the files are written.
-void judge_again(lint::LintedTree& tree, const std::vector<FixedFile>& files, const lint::SourceTree& sources,
-                 const lint::KnownConstants& known, const lint::EffectLimits& limits,
-                 const Checkpoint& checkpoint) {
-  SitesByFile left = by_file(tree.sites);
-  for (const FixedFile& file : files) {
-    const auto source = std::ranges::find(sources.files, file.name, &lint::SourceFile::name);
-    left[file.name] = lint_source(file.name, file.after, source->language, known, limits, checkpoint);
-  }
-  tree.sites.clear();
-  for (auto& [name, sites] : left) std::ranges::move(sites, std::back_inserter(tree.sites));
 }
 
 /// The returned call writes the files, with their permissions; of a link, the file that it leads to.
@@ -165,7 +126,7 @@ std::function<void()> prepare_files(const std::vector<FixedFile>& files) {
 
 std::string words_of(const std::vector<FixedFile>& files) {
   long numbers = 0;
-  for (const FixedFile& file : files) numbers += static_cast<long>(file.numbers);
+  for (const FixedFile& file : files) numbers += file.numbers;
   return fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
                      counted(std::ssize(files), "file"));
 }
@@ -223,10 +184,10 @@ Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown
 
 }  // namespace
 
-lint::KnownConstants known_constants(const StudyFolders& given) {
-  std::vector<StudyFile> studies;
-  for (const auto& path : known_study_files(study_folders(given))) studies.push_back(load_study(path));
-  return lint::KnownConstants(lint::known_sets(studies));
+lint::KnownConstants known_constants(const StudyFolders& given, std::vector<std::string>* refused) {
+  LoadedStudies studies = load_studies(known_study_files(study_folders(given)));
+  if (refused != nullptr) *refused = std::move(studies.refused);
+  return lint::KnownConstants(lint::known_sets(studies.files));
 }
 
 void declare_lint(CLI::App& lint, LintOptions& options) {
@@ -281,7 +242,7 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   lint::EffectLimits limits;
   limits.of_all = options.max_effect;
   std::vector<std::string> refused;
-  const lint::KnownConstants known = known_constants(options.studies, refused);
+  const lint::KnownConstants known = known_constants(options.studies, &refused);
   if (std::ranges::find(options.paths, "-") != options.paths.end())
     return report_of(lint_standard_input(options, known, limits, checkpoint), shown, given);
   progress("reading the source tree");
@@ -292,7 +253,11 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   progress("");
   linted.skipped.messages.insert(linted.skipped.messages.begin(), refused.begin(), refused.end());
   if (!options.fix && !options.diff) return report_of(linted, shown, given);
-  const std::vector<FixedFile> files = fixed_files(linted, options.fix.value_or(lint::FixScope::pins));
+  const auto judge = [&](const lint::SourceFile& file, const std::string& text) {
+    return lint_source(file.name, text, file.language, known, limits, checkpoint);
+  };
+  const std::vector<FixedFile> files =
+      fixed_files(linted, sources, options.fix.value_or(lint::FixScope::pins), judge);
   if (options.diff) {
     std::string diffs;
     for (const FixedFile& file : files) diffs += unified_diff(file.name, file.before, file.after);
@@ -301,7 +266,6 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   std::set<fs::path> folders;
   for (const lint::SourceFile& file : sources.files) folders.insert(fs::path(file.path).parent_path());
   for (const fs::path& folder : folders) remove_leftovers(folder.empty() ? "." : folder);
-  judge_again(linted, files, sources, known, limits, checkpoint);
   Outcome outcome = report_of(linted, shown, given);
   if (files.empty()) return outcome;
   outcome.err += words_of(files);

@@ -33,8 +33,9 @@ struct LintOptions {
   bool diff = false;  ///< of the files, in place of writing them
 };
 
-/// All published sets: those of the studies, of exact constants, and of the built-in families.
-lint::KnownConstants known_constants(const StudyFolders& given);
+/// All published sets: those of the studies, of exact constants, and of the built-in families. `refused` gets
+/// a line for each study that cannot be read.
+lint::KnownConstants known_constants(const StudyFolders& given, std::vector<std::string>* refused = nullptr);
 
 void declare_lint(CLI::App& lint, LintOptions& options);
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lint/expression/absorbed.hpp"
 #include "lint/expression/curve_comparison.hpp"
 #include "lint/expression/mutants.hpp"
 
@@ -19,32 +18,20 @@ void append_parts(const Curve& curve, std::vector<Curve>& parts) {
   for (const Symbolic& part : curve.form.parts()) append_parts({part, curve.constants}, parts);
 }
 
-bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
-  const std::set<std::string> names = names_of(formula);
-  return std::ranges::all_of(set.constants,
-                             [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
+/// The formula with 1 for a variable.
+Symbolic with_one(const Symbolic& formula, const std::string& variable) {
+  return evaluate<Symbolic>(formula, [&](const std::string& name) {
+    return name == variable ? Symbolic::number("1") : Symbolic::variable(name);
+  });
 }
 
-/// The innermost part of the form that has all its constants, as a set of its own. For a phase function of k
-/// = a g - b g^3 it is that polynomial. Empty if it is the whole form, or so simple that it occurs elsewhere.
-std::optional<KnownSet> core_of(const KnownSet& set) {
-  constexpr int least_operations = 3;
-  Symbolic core = set.formula;
-  for (bool is_innermost = false; !is_innermost;) {
-    is_innermost = true;
-    for (const Symbolic& part : core.parts()) {
-      if (!has_all_constants(set, part)) continue;
-      core = part;
-      is_innermost = false;
-      break;
-    }
-  }
-  const std::set<std::string> names = names_of(core);
-  KnownSet small = set;
-  small.formula = core;
-  std::erase_if(small.axes, [&](const KnownAxis& axis) { return names.count(axis.variable) == 0; });
-  if (small.axes.empty() || small.axes.size() == set.axes.size()) return std::nullopt;
-  return count_operations(core).total() < least_operations ? std::nullopt : std::optional(std::move(small));
+/// The formula with x for each power of a variable x: a program may compute that elsewhere.
+Symbolic without_inner_powers(const Symbolic& formula) {
+  if (formula.kind() == Symbolic::Kind::real_power && formula.part(0).kind() == Symbolic::Kind::variable)
+    return formula.part(0);
+  std::vector<Symbolic> parts = formula.parts();
+  for (Symbolic& part : parts) part = without_inner_powers(part);
+  return formula.with_parts(std::move(parts));
 }
 
 /// Adds the numbers with which an expression compares something.
@@ -84,14 +71,6 @@ class ExpressionMatcher {
     return ExpressionMatch{.form = set_.formula, .constants = published, .is_published = true};
   }
 
-  /// The published constants are also right with half of the form, or another simple multiple: a factor may
-  /// be folded in.
-  std::optional<ExpressionMatch> multiple() const {
-    if (constants_ != published_values(set_) || !comparison_.has_multiple({set_.formula, constants_}))
-      return std::nullopt;
-    return ExpressionMatch{set_.formula, constants_};
-  }
-
   /// The form with another number as a missing threshold. The values at some places do not show it, because
   /// the branches nearly join there.
   std::optional<ExpressionMatch> compared(const std::vector<std::size_t>& missing) const {
@@ -128,9 +107,6 @@ class ExpressionMatcher {
     return std::nullopt;
   }
 
-  /// The form with an inner part computed elsewhere, perhaps with a slip.
-  std::optional<ExpressionMatch> absorbed(const Symbolic& expression) const;
-
   std::optional<ExpressionMatch> slipped() const {
     // Rounding hides a smaller difference.
     constexpr double hidden = 1e-4;
@@ -152,27 +128,15 @@ class ExpressionMatcher {
   }
 
  private:
-  /// What is right: the form and its parts, without a variable that is 1, and with inner parts elsewhere.
+  /// What is right: the form and its parts, and the form without inner powers, or with 1 for a variable.
   std::vector<Curve> allowed_curves() const {
     std::vector<Curve> allowed;
     append_parts({set_.formula, constants_}, allowed);
+    allowed.push_back({without_inner_powers(set_.formula), constants_});
     for (const KnownAxis& axis : set_.axes)
       if (axis.lower <= 1 && 1 <= axis.upper)
-        allowed.push_back(
-            {with_part(set_.formula, Symbolic::variable(axis.variable), Symbolic::number("1")), constants_});
-    for (const Absorbed& one : absorbed_parts())
-      allowed.push_back(
-          {with_part(one.outer.formula, Symbolic::variable(one.name), Symbolic::variable(one.variable)),
-           constants_});
+        allowed.push_back({with_one(set_.formula, axis.variable), constants_});
     return allowed;
-  }
-
-  /// The inner parts whose constants are not in the expression.
-  std::vector<Absorbed> absorbed_parts() const {
-    std::vector<std::size_t> missing;
-    for (std::size_t i = 0; i < constants_.size(); ++i)
-      if (count_held({std::abs(constants_[i])}, numbers_) == 0) missing.push_back(i);
-    return absorbed_in(set_, constants_, missing);
   }
 
   /// Whether the expression has each number that differs from the published one. Otherwise it tells nothing
@@ -207,22 +171,6 @@ class ExpressionMatcher {
   CurveComparison comparison_;
 };
 
-std::optional<ExpressionMatch> ExpressionMatcher::absorbed(const Symbolic& expression) const {
-  constexpr int least_operations = 3;  // simpler ones occur elsewhere
-  if (parts_.empty()) return std::nullopt;
-  for (const Absorbed& one : absorbed_parts()) {
-    if (count_operations(one.outer.formula).total() < least_operations) continue;
-    const ExpressionMatcher outer(expression, one.outer, constants_, numbers_);
-    auto match = outer.form();
-    if (!match) match = outer.slipped();
-    if (!match) continue;
-    match->form = with_part(match->form, Symbolic::variable(one.name), one.inner);
-    match->is_core = match->slip.empty();
-    return match;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::set<std::string> names_of(const Symbolic& formula) {
@@ -244,22 +192,7 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
   const ExpressionMatcher whole(expression, set, constants, numbers);
   if (auto match = whole.compared(missing)) return match;
   if (auto match = whole.form()) return match;
-  if (missing.empty())
-    if (auto match = whole.multiple()) return match;
   if (auto match = whole.replaced(missing)) return match;
-  if (auto match = whole.absorbed(expression)) return match;
-  if (const auto small = core_of(set)) {
-    const ExpressionMatcher core(expression, *small, constants, numbers);
-    auto match = core.form();
-    if (!match) match = core.replaced(missing);
-    if (match) {
-      match->form = set.formula;
-      match->is_core = true;
-    }
-    if (match && match->replaced) return match;
-    if (auto slip = whole.slipped()) return slip;
-    return match;
-  }
   return whole.slipped();
 }
 

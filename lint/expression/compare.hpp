@@ -19,14 +19,12 @@ struct ExpressionMatch {
   std::string slip = {};
   /// Whether it computes the published curve with other numbers: 6.07995 + (90 - z).
   bool is_published = false;
-  /// Whether it matches only the part of the form with all its constants, perhaps with one replaced.
-  bool is_core = false;
   /// The constant of `missing` that another number replaces.
   std::optional<std::size_t> replaced = {};
 };
 
 /// Looks in the expression for a part that holds as many of these numbers as the whole does, and has the
-/// values of the form, or of the part of the form with all constants. The form may be unchanged, may have a
+/// values of the form. The form may be unchanged, may have a
 /// constant of `missing` replaced by a number of the expression, or may have one slip
 /// (lint/expression/mutants.hpp). The names of the expression may be the variables of the form in any order.
 /// Empty if no part matches.

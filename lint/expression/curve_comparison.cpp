@@ -103,18 +103,6 @@ bool are_same(const Values& a, const Values& b, std::size_t count, double slack)
   return 2 * finite > count;
 }
 
-/// If the first `count` values are a simple multiple (1/2, pi, 1/ln 2) of another curve, the values divided
-/// by that factor. Otherwise empty.
-std::optional<Values> without_factor(const Values& values, const Values& of, std::size_t count) {
-  const auto largest_of = std::max_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(count),
-                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const double factor = values[static_cast<std::size_t>(largest_of - of.begin())] / *largest_of;
-  if (!std::isfinite(factor) || factor == 0 || !is_common_number(factor)) return std::nullopt;
-  Values divided = values;
-  for (double& value : divided) value /= factor;
-  return divided;
-}
-
 }  // namespace
 
 bool is_near(double a, double b, double slack) {
@@ -140,83 +128,40 @@ CurveComparison::CurveComparison(const KnownSet& set, const std::vector<Expressi
   for (std::vector<double>& place : places_beside_thresholds(set, places)) places.push_back(std::move(place));
   inner_places_ = places.size();
   for (std::vector<double>& end : ends_of(set.axes)) places.push_back(std::move(end));
-  sample(parts, places, {});
-  if (set.axes.size() < 2) return;
-  // A number of the expression may be the value of a variable: g = 0.76. Not 1, which is everywhere, and not
-  // at the ends: there, as at 0, the curve may not depend on all constants.
-  for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
-    for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
-      if (number == 1 || number <= set.axes[axis].lower || number >= set.axes[axis].upper) continue;
-      Places held = places;
-      for (std::vector<double>& place : held) place[axis] = number;
-      sample(parts, held, axis);
-    }
+  places_ = std::move(places);
+  for (const ExpressionPart& part : parts) {
+    if (part.names.size() != set.axes.size()) continue;
+    std::vector<std::string> order(part.names.begin(), part.names.end());
+    do {
+      curves_.push_back(values_at(part.formula, order, places_));
+    } while (std::next_permutation(order.begin(), order.end()));
   }
 }
 
 bool CurveComparison::has(const Curve& curve) const {
-  return std::ranges::any_of(sampled_, [&](const Sampled& sampled) {
-    return is_there(sampled, values_of(curve, sampled.places), inner_places_);
-  });
-}
-
-bool CurveComparison::has_multiple(const Curve& curve) const {
-  return std::ranges::any_of(sampled_, [&](const Sampled& sampled) {
-    const Values values = values_of(curve, sampled.places);
-    return largest(values) > 0 && std::ranges::any_of(sampled.curves, [&](const Values& other) {
-             const auto divided = without_factor(other, values, inner_places_);
-             return divided && are_same(*divided, values, inner_places_, same_curve);
-           });
-  });
+  return is_there(values_of(curve), inner_places_);
 }
 
 bool CurveComparison::has_other(const Curve& curve, const std::vector<Curve>& allowed, double hidden) const {
-  return std::ranges::any_of(sampled_, [&](const Sampled& sampled) {
-    const Values values = values_of(curve, sampled.places);
-    return is_there(sampled, values, values.size()) && std::ranges::none_of(allowed, [&](const Curve& other) {
-             return are_same(values, values_of(other, sampled.places), values.size(), hidden);
-           });
-  });
+  const Values values = values_of(curve);
+  return is_there(values, values.size()) && std::ranges::none_of(allowed, [&](const Curve& other) {
+           return are_same(values, values_of(other), values.size(), hidden);
+         });
 }
 
-/// Also for the curve times the factor of the set.
-bool CurveComparison::is_there(const Sampled& sampled, const Values& values, std::size_t count) const {
-  const auto has = [&](const Values& wanted) {
-    return std::ranges::any_of(
-        sampled.curves, [&](const Values& other) { return are_same(other, wanted, count, same_curve); });
-  };
-  if (!(largest(values) > 0)) return false;
-  if (has(values)) return true;
-  if (set_.times.empty()) return false;
-  // A sum of multiples is a multiple too.
-  Values multiple = values;
-  for (double& value : multiple) value *= set_.factor;
-  return has(multiple);
+bool CurveComparison::is_there(const Values& values, std::size_t count) const {
+  return largest(values) > 0 && std::ranges::any_of(curves_, [&](const Values& other) {
+           return are_same(other, values, count, same_curve);
+         });
 }
 
-/// `held`: the variable that has a number's value at all these places.
-void CurveComparison::sample(const std::vector<ExpressionPart>& parts, const Places& places,
-                             std::optional<std::size_t> held) {
-  Sampled sampled{places, {}};
-  Places free = places;
-  if (held)
-    for (std::vector<double>& place : free) place.erase(place.begin() + static_cast<std::ptrdiff_t>(*held));
-  for (const ExpressionPart& part : parts) {
-    if (part.names.size() != set_.axes.size() - (held ? 1 : 0)) continue;
-    std::vector<std::string> order(part.names.begin(), part.names.end());
-    do {
-      sampled.curves.push_back(values_at(part.formula, order, free));
-    } while (std::next_permutation(order.begin(), order.end()));
-  }
-  if (!sampled.curves.empty()) sampled_.push_back(std::move(sampled));
-}
-
-CurveComparison::Values CurveComparison::values_of(const Curve& curve, Places places) const {
+CurveComparison::Values CurveComparison::values_of(const Curve& curve) const {
+  Places places = places_;
   std::vector<std::string> names;
   for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
   for (std::size_t i = 0; i < set_.constants.size(); ++i) {
     names.push_back(set_.constants[i].name);
-    for (std::vector<double>& place : places) place.push_back(curve.constants[i] / set_.factor);
+    for (std::vector<double>& place : places) place.push_back(curve.constants[i]);
   }
   return values_at(curve.form, names, places);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,20 +37,16 @@ struct Curve {
   std::vector<double> constants;
 };
 
-/// The curves of the parts of an expression, for each order of their names, and with numbers for variables.
+/// The curves of the parts of an expression, for each order of their names.
 class CurveComparison {
  public:
   CurveComparison(const KnownSet& set, const std::vector<ExpressionPart>& parts);
 
-  bool is_empty() const { return sampled_.empty(); }
+  bool is_empty() const { return curves_.empty(); }
 
   /// Whether a part has this curve inside the ranges. Their ends are left out, because programs have branches
   /// there.
   bool has(const Curve& curve) const;
-
-  /// Whether a part has a simple multiple of this curve inside the ranges: exp2(-1 - a c) is half of exp2(-a
-  /// c).
-  bool has_multiple(const Curve& curve) const;
 
   /// Whether a part has this curve, also at the ends, and the curve differs from all allowed ones by more
   /// than `hidden` of the largest value.
@@ -60,19 +55,14 @@ class CurveComparison {
  private:
   using Values = std::vector<double>;
   using Places = std::vector<std::vector<double>>;
-  struct Sampled {
-    Places places;
-    std::vector<Values> curves;
-  };
 
-  bool is_there(const Sampled& sampled, const Values& values, std::size_t count) const;
-  void sample(const std::vector<ExpressionPart>& parts, const Places& places,
-              std::optional<std::size_t> held);
-  Values values_of(const Curve& curve, Places places) const;
+  bool is_there(const Values& values, std::size_t count) const;
+  Values values_of(const Curve& curve) const;
 
   const KnownSet& set_;
   std::size_t inner_places_ = 0;
-  std::vector<Sampled> sampled_;
+  Places places_;  ///< first those inside the ranges
+  std::vector<Values> curves_;
 };
 
 }  // namespace shadefit::lint

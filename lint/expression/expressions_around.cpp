@@ -17,37 +17,14 @@ bool is_close(char c) {
   return c == ')' || c == ']';
 }
 
-/// Whether a line goes on behind this backslash, or behind this end of a line: in the body of a macro.
-bool joins_lines(std::string_view text, std::size_t at) {
-  if (text[at] == '\n') return at > 0 && joins_lines(text, at - 1);
-  if (text[at] == '\r') return at > 0 && text[at - 1] == '\\';
-  return text[at] == '\\' && at + 1 < text.size() && (text[at + 1] == '\n' || text[at + 1] == '\r');
-}
-
 /// Whether a character ends an expression at any depth.
-bool ends_statement(std::string_view text, std::size_t at) {
-  return is_one_of(text[at], ";{}\"`$\\@") && !joins_lines(text, at);
-}
-
-/// Where the body of a macro begins whose definition has this place: behind "#define F(x)". Otherwise 0.
-std::size_t macro_body(std::string_view text, std::size_t at) {
-  constexpr std::string_view word = "define";
-  const std::size_t least = at - std::min(at, most_bytes);
-  std::size_t begin = at;
-  while (begin > least && (text[begin - 1] != '\n' || joins_lines(text, begin - 1))) --begin;
-  const std::string_view before = text.substr(0, at);
-  begin = end_of_run(before, begin, is_blank_in_line);
-  if (begin == at || text[begin] != '#') return 0;
-  begin = end_of_run(before, begin + 1, is_blank_in_line);
-  if (!text.substr(begin).starts_with(word)) return 0;
-  begin = end_of_run(before, end_of_run(before, begin + word.size(), is_blank_in_line), is_of_name);
-  if (begin < at && text[begin] == '(') begin = std::min(text.find(')', begin), at - 1) + 1;
-  return begin;
+bool ends_statement(char c) {
+  return is_one_of(c, ";{}\"`$\\@");
 }
 
 /// Whether the line that ends here continues in the next one.
 bool continues(std::string_view text, std::size_t line_end) {
-  return joins_lines(text, line_end) || goes_on(text, line_end, "+-*/(,?:<>&|=[^%", "+-*/),?:<>&|]^.");
+  return goes_on(text, line_end, "+-*/(,?:<>&|=[^%", "+-*/),?:<>&|]^.");
 }
 
 bool is_assignment(std::string_view text, std::size_t at) {
@@ -69,13 +46,13 @@ bool is_return(std::string_view text, std::size_t begin) {
 /// Where an expression around `begin` starts: after an opening parenthesis that closes after `begin`, after a
 /// comma next to it, or at the start of the statement.
 std::size_t begin_of(std::string_view text, std::size_t begin) {
-  const std::size_t least = std::max(begin - std::min(begin, most_bytes), macro_body(text, begin));
+  const std::size_t least = begin - std::min(begin, most_bytes);
   int depth = 0;
   while (begin > least) {
     const char c = text[begin - 1];
-    if (ends_statement(text, begin - 1)) break;
+    if (ends_statement(c)) break;
     // "=>" stands between the parameters and the value of a function.
-    if (is_assignment(text, begin - 1) && text.substr(begin - 1, 2) != "=>") break;
+    if (is_assignment(text, begin - 1) || text.substr(0, begin).ends_with("=>")) break;
     if (c == '\n' && depth == 0 && !continues(text, begin - 1)) break;
     if (is_close(c)) ++depth;
     if (is_open(c) && depth-- == 0) break;
@@ -88,13 +65,11 @@ std::size_t begin_of(std::string_view text, std::size_t begin) {
 
 std::size_t end_of(std::string_view text, std::size_t end) {
   const std::size_t most = std::min(text.size(), end + most_bytes);
-  const bool is_in_macro = macro_body(text, end) > 0;
   int depth = 0;
   while (end < most) {
     const char c = text[end];
-    if (ends_statement(text, end) || is_assignment(text, end)) break;
+    if (ends_statement(c) || is_assignment(text, end)) break;
     if (c == '\n' && depth == 0 && !continues(text, end)) break;
-    if (c == '\n' && is_in_macro && !joins_lines(text, end)) break;
     if (is_open(c)) ++depth;
     if (is_close(c) && depth-- == 0) break;
     if (c == ',' && depth == 0) break;
@@ -112,7 +87,7 @@ std::size_t path_begin(std::string_view text, std::size_t end) {
 bool balance(std::string_view text, std::size_t& begin, std::size_t& end) {
   int depth = 0, lowest = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    if (ends_statement(text, i)) return false;
+    if (ends_statement(text[i])) return false;
     if (is_open(text[i])) ++depth;
     if (is_close(text[i])) lowest = std::min(lowest, --depth);
   }

@@ -19,9 +19,6 @@ std::vector<std::string_view> kin_of(std::string_view function) {
   return {};
 }
 
-bool is_sum(const Symbolic& formula) {
-  return formula.kind() == Kind::add || formula.kind() == Kind::subtract;
-}
 bool is_product(const Symbolic& formula) {
   return formula.kind() == Kind::multiply || formula.kind() == Kind::divide;
 }
@@ -30,52 +27,6 @@ bool is_product(const Symbolic& formula) {
 /// factors.
 bool is_scaled(const Symbolic& formula) {
   return is_number(formula.part(0)) || is_number(formula.part(1));
-}
-
-/// a (b + c) as a b + c, (a + b) c as a + b c; the same for quotients and differences.
-void append_lost_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
-  const Symbolic &a = formula.part(0), &b = formula.part(1);
-  if (is_sum(b))
-    others.push_back(b.with_parts({Symbolic::operation(formula.kind(), {a, b.part(0)}), b.part(1)}));
-  if (is_sum(a))
-    others.push_back(a.with_parts({a.part(0), Symbolic::operation(formula.kind(), {a.part(1), b})}));
-  if (formula.kind() == Kind::divide && b.kind() == Kind::multiply)
-    others.push_back(a / b.part(0) * b.part(1));
-}
-
-/// a b + c as a (b + c); the same for a difference.
-void append_moved_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
-  const Symbolic& product = formula.part(0);
-  if (product.kind() != Kind::multiply) return;
-  for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
-    others.push_back(product.part(i) * formula.with_parts({product.part(1 - i), formula.part(1)}));
-}
-
-/// Whether a formula is a function, or a power, of its first part.
-bool is_applied(const Symbolic& formula) {
-  return formula.kind() == Kind::function || formula.kind() == Kind::real_power ||
-         formula.kind() == Kind::integer_power;
-}
-
-Symbolic applied_to(const Symbolic& function, const Symbolic& argument) {
-  std::vector<Symbolic> parts = function.parts();
-  parts.front() = argument;
-  return function.with_parts(std::move(parts));
-}
-
-/// b f(x) as f(b x), f(x) - b as f(x - b); the same for each operation.
-void append_moved_into_argument(const Symbolic& operation, std::vector<Symbolic>& others) {
-  const Symbolic &a = operation.part(0), &b = operation.part(1);
-  if (is_applied(a)) others.push_back(applied_to(a, operation.with_parts({a.part(0), b})));
-  if (is_applied(b)) others.push_back(applied_to(b, operation.with_parts({a, b.part(0)})));
-}
-
-/// f(b x) as b f(x) or f(b) x, f(x - b) as f(x) - b; the same for each operation.
-void append_moved_out_of_argument(const Symbolic& function, std::vector<Symbolic>& others) {
-  const Symbolic& inner = function.part(0);
-  if ((!is_sum(inner) && !is_product(inner)) || is_scaled(inner)) return;
-  others.push_back(inner.with_parts({applied_to(function, inner.part(0)), inner.part(1)}));
-  others.push_back(inner.with_parts({inner.part(0), applied_to(function, inner.part(1))}));
 }
 
 /// The slips that may replace an operation.
@@ -113,10 +64,9 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
         if (formula.exponent() + change != 0)
           others.push_back(Symbolic::integer_power(formula.part(0), formula.exponent() + change));
       break;
-    case Kind::real_power:
+    case Kind::real_power:  // without its exponent it may be a power that is computed elsewhere
       others.push_back(
           Symbolic::operation(Kind::real_power, {formula.part(0), Symbolic::number("1") / formula.part(1)}));
-      others.push_back(formula.part(0));
       break;
     case Kind::choice:
       others.push_back(
@@ -133,10 +83,6 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
     case Kind::integral:
       break;
   }
-  if (is_sum(formula)) append_moved_parentheses(formula, others);
-  if (is_product(formula)) append_lost_parentheses(formula, others);
-  if (is_sum(formula) || is_product(formula)) append_moved_into_argument(formula, others);
-  if (is_applied(formula)) append_moved_out_of_argument(formula, others);
   return others;
 }
 

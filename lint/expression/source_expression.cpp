@@ -34,7 +34,7 @@ class Rewriter {
       } else if (is_of_name(c)) {
         if (!word()) return std::nullopt;
       } else if (c == '.') {
-        if (!method()) return std::nullopt;
+        if (!swizzle()) return std::nullopt;
       } else if (c == '+' && is_unary_plus()) {
         ++at_;
       } else {
@@ -118,7 +118,7 @@ class Rewriter {
       } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
         at_ += 2;
         path += "." + take_word();
-      } else if (peek(0) == '.' && is_of_name(peek(1)) && (is_module(path) || !is_method())) {
+      } else if (peek(0) == '.' && is_of_name(peek(1))) {
         ++at_;
         const std::string member = take_word();
         path = is_module(path) ? member : path + "." + member;
@@ -150,15 +150,6 @@ class Rewriter {
     return std::ranges::find(modules, last) != modules.end();
   }
 
-  /// Whether a member that begins here is a method of the number before it: x.powf(2.4).
-  bool is_method() const {
-    const std::string_view rest = std::string_view(text_).substr(at_ + 1);
-    constexpr std::array<std::string_view, 14> methods{"powf(",  "powi(",  "pow(", "sqrt()", "exp()",
-                                                       "exp2()", "log2()", "ln()", "abs()",  "mul_add(",
-                                                       "mul(",   "add(",   "sub(", "div("};
-    return std::ranges::any_of(methods, [&](std::string_view method) { return rest.starts_with(method); });
-  }
-
   bool call(const std::string& path) {
     const std::size_t open = at_;
     if (is_number_type(path)) {
@@ -177,53 +168,13 @@ class Rewriter {
     }
     const auto inside = group('(', ')');
     if (!inside) return false;
-    if (const auto formula = call_as_formula(path, *inside)) {
+    if (const auto formula = function == "dot" ? dot_product(*inside) : std::nullopt) {
       text_.replace(open + 1, inside->size(), *formula);
       at_ = open;  // the parentheses stay
     } else {
       name(path + "(" + *inside + ")");
     }
     return true;
-  }
-
-  /// x.powf(2.4) and (..).powf(2.4) become pow(x, 2.4).
-  bool method() {
-    if (!is_method()) return swizzle();
-    ++at_;
-    std::string function = take_word();
-    if (function == "ln") function = "log";
-    if (function == "powi" || function == "powf") function = "pow";
-    if (function == "mul_add") function = "fma";
-    const auto inside = group('(', ')');
-    if (!inside) return false;
-    const std::size_t begin = receiver();
-    if (begin == out_.size()) return false;
-    Rewriter arguments(*inside);
-    arguments.names_ = names_;
-    const auto rest = arguments.rewrite();
-    if (!rest) return false;
-    names_ = arguments.names_;
-    const std::string number = out_.substr(begin);
-    // x.mul(2) of three.js and of matrix libraries is x * (2).
-    const std::string_view sign = operator_of(function);
-    out_.resize(begin);
-    out_ += sign.empty() ? fmt::format("{}({}{}{})", function, number, rest->empty() ? "" : ", ", *rest)
-                         : fmt::format("({}{}({}))", number, sign, *rest);
-    return true;
-  }
-
-  /// Where the operand at the end of the output begins.
-  std::size_t receiver() const {
-    std::size_t begin = begin_of_run(out_, out_.size(), [](char c) { return c == ' '; });
-    if (begin > 0 && out_[begin - 1] == ')') {
-      int depth = 0;
-      while (begin > 0) {
-        --begin;
-        if (out_[begin] == ')') ++depth;
-        if (out_[begin] == '(' && --depth == 0) break;
-      }
-    }
-    return begin_of_run(out_, begin, [](char c) { return is_of_name(c) || c == '.'; });
   }
 
   /// Drops the components of a group: (..).xyz.
@@ -249,27 +200,6 @@ std::string with_sign_of_choice(std::string text) {
                      with_sign_of_choice(text.substr(second + other.size())));
 }
 
-/// What stands before the value of a function without a name ends here: behind "c =>", "(float c) ->",
-/// "lambda c:" or "|c: f32|". 0 for any other text.
-std::size_t value_begin(std::string_view text) {
-  constexpr std::string_view lambda = "lambda ";
-  if (text.starts_with(lambda)) return std::min(place_outside(text, ":"), text.size() - 1) + 1;
-  if (text.starts_with('|') && !text.starts_with("||"))
-    return std::min(text.find('|', 1), text.size() - 1) + 1;
-  // Elsewhere "p->x" is a member.
-  for (const std::string_view arrow : {"=>", "-> "})
-    if (const std::size_t at = place_outside(text, arrow); at < text.size()) return at + 2;
-  return 0;
-}
-
-/// The value of a function without a name, whose head may be there: "c => a * c" is a * c.
-std::string_view function_value(std::string_view text) {
-  text = trimmed(text);
-  for (std::size_t begin = value_begin(text); begin > 0; begin = value_begin(text))
-    text = trimmed(text.substr(begin));
-  return text;
-}
-
 /// A person does not write deeper expressions, and a stack of 256 kB does not hold them.
 constexpr std::size_t deepest_expression = 60;
 constexpr long deepest_parentheses = 40;
@@ -291,7 +221,7 @@ bool is_number(const Symbolic& formula) {
 }
 
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
-  std::string plain(function_value(with_joined_lines(text)));
+  std::string plain(text);
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
   Rewriter source(std::move(plain));
   const auto rewritten = source.rewrite();

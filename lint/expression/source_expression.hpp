@@ -18,9 +18,8 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
 
 /// Reads an expression of GLSL, HLSL, C, JavaScript, Python, Rust and similar languages as a formula of its
 /// names. A call of an unknown function, a member and an element of an array are names too: "dot(n, l)". A
-/// vector of one number, `vec3(x)`, is that number. A function without a name is its value: "c => a * c".
-/// Empty if it has other operations than those of scalars: vectors of several numbers, assignments, unknown
-/// signs, comments.
+/// vector of one number, `vec3(x)`, is that number. Empty if it has other operations than those of scalars:
+/// vectors of several numbers, assignments, unknown signs, comments.
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style);
 
 /// read_expression(), or what remembers its answers.

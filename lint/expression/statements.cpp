@@ -34,15 +34,6 @@ bool goes_on(std::string_view text, std::size_t line_end, std::string_view last,
          (behind < text.size() && is_one_of(text[behind], next));
 }
 
-std::string with_joined_lines(std::string_view text) {
-  std::string out(text);
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '\\' &&
-        text.substr(end_of_run(text, i + 1, [](char c) { return c == '\r'; })).starts_with('\n'))
-      out[i] = ' ';
-  return out;
-}
-
 std::optional<Assignment> assignment_of(std::string_view statement) {
   statement = trimmed(statement);
   constexpr std::string_view word = "return";

@@ -59,7 +59,7 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
     if (text[i] == ')' || text[i] == ']') --depth;
     if (!ends(i, depth) && !(text[i] == ',' && depth == 0 && begins_declaration(text.substr(i + 1))))
       continue;
-    statements.push_back({first, i, std::string(text.substr(first, i - first)), text[i]});
+    statements.push_back({first, i, std::string(text.substr(first, i - first))});
     if (i > first && i >= end) ++behind;
     if (text[i] == '}' && i >= end) break;  // the function ends
     first = i + 1;
@@ -68,22 +68,10 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
   return statements;
 }
 
-/// Whether the block whose brace stands there is a branch: "if (x < t) {".
-bool is_branch(std::string_view text, std::size_t brace) {
-  const std::string_view before = text.substr(0, brace);
-  const std::string_view head = before.substr(before.find_last_of(";{}") + 1);  // npos + 1 is 0
-  const std::size_t word = head.rfind("if");
-  return word != std::string_view::npos && (word == 0 || !is_of_name(head[word - 1])) &&
-         word + 2 < head.size() && !is_of_name(head[word + 2]);
-}
-
-/// Where the block around a place begins, if that is near. A branch is a part of the block around its `if`.
+/// Where the block around a place begins, if that is near.
 std::size_t block_begin(std::string_view text, std::size_t at) {
   const std::size_t least = at - std::min(at, most_bytes_before);
-  const std::string_view before = text.substr(least, at - least);
-  std::size_t brace = before.find_last_of("{}");
-  while (brace != std::string_view::npos && brace > 0 && before[brace] == '{' && is_branch(before, brace))
-    brace = before.find_last_of("{}", brace - 1);
+  const std::size_t brace = text.substr(least, at - least).find_last_of("{}");
   if (brace != std::string_view::npos) return least + brace + 1;
   const std::size_t line = text.find('\n', least);
   return least == 0 ? 0 : std::min(line, at);
@@ -129,8 +117,7 @@ std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::s
 
 std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
                                     CommentStyle style, const ReadExpression& read) {
-  const std::vector<Statement> statements =
-      with_choices(statements_of(text, block_begin(text, begin), end, style), style);
+  const std::vector<Statement> statements = statements_of(text, block_begin(text, begin), end, style);
   std::vector<Symbolic> values = values_of(statements, begin, end, style, read, false);
   if (statements.empty() || statements.front().end > begin) return values;
   // The form may be one of x, after x = 1 - y (the values so far), or one of y, after t = y y (these values).

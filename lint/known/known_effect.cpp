@@ -40,9 +40,7 @@ std::vector<double> values_on_grid(const KnownSet& set, const Symbolic& form,
   std::vector<std::string> inputs;
   for (const KnownAxis& axis : set.axes) inputs.push_back(axis.variable);
   for (const KnownConstant& constant : set.constants) inputs.push_back(constant.name);
-  std::vector<double> published = constants;
-  for (double& value : published) value /= set.factor;
-  TapeProgram<double> program(tape_of(form, inputs), published);
+  TapeProgram<double> program(tape_of(form, inputs), constants);
   std::vector<double> values, place(set.axes.size());
   const auto visit = [&](const auto& self, std::size_t axis) -> void {
     if (axis == set.axes.size()) {
@@ -80,7 +78,7 @@ std::vector<double> thresholds_of(const KnownSet& set, const Symbolic& form,
     if (compared.kind() != Symbolic::Kind::variable || compared.name() != variable) continue;
     thresholds.push_back(evaluate<double>(form.part(1 - side), [&](const std::string& name) {
       for (std::size_t i = 0; i < set.constants.size(); ++i)
-        if (set.constants[i].name == name) return constants[i] / set.factor;
+        if (set.constants[i].name == name) return constants[i];
       return std::nan("");
     }));
   }

@@ -118,12 +118,6 @@ void append_families(std::vector<KnownSet>& sets) {
   }
 }
 
-std::size_t count_places(const Symbolic& formula, const std::string& name) {
-  std::size_t count = formula.kind() == Symbolic::Kind::variable && formula.name() == name ? 1 : 0;
-  for (const Symbolic& part : formula.parts()) count += count_places(part, name);
-  return count;
-}
-
 /// Adds, for the numbers in the text of a form, what other sources have for them: another form may have the
 /// number as a constant. 0.2343580 is in planck-y, because its x is that of planck-x, and 0.2343589 is there
 /// too.
@@ -146,15 +140,11 @@ void append_other_sources(KnownSet& set, const std::vector<KnownSet>& sets) {
   }
 }
 
-/// Marks what depends on all sets, and the constants that a form has at several places.
+/// Marks the variants whose digits another set publishes.
 void mark_known(std::vector<KnownSet>& sets) {
   std::set<std::string> published;
-  for (KnownSet& set : sets) {
-    for (KnownConstant& constant : set.constants) {
-      published.insert(constant.printed);
-      constant.is_repeated = count_places(set.formula, constant.name) > 1;
-    }
-  }
+  for (const KnownSet& set : sets)
+    for (const KnownConstant& constant : set.constants) published.insert(constant.printed);
   for (KnownSet& set : sets)
     for (KnownVariant& variant : set.variants) variant.is_borrowed = published.contains(variant.printed);
 }
@@ -165,7 +155,6 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
   std::vector<KnownSet> sets;
   append_families(sets);
   for (const StudyFile& study : studies) append_sets(study, sets);
-  for (KnownSet& folded : folded_powers_of(sets)) sets.push_back(std::move(folded));
   for (KnownSet& set : sets) append_other_sources(set, sets);
   mark_known(sets);
   return sets;

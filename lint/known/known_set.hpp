@@ -17,10 +17,8 @@ struct KnownConstant {
   std::string name;     ///< of a parameter of the form
   std::string printed;  ///< the digits as published
   double value = 0;
-  bool is_common = false;         ///< pi/2, 5/12: see is_common_number()
-  bool is_of_form = false;        ///< a number in the text of the form: its name is its digits
-  bool is_repeated = false;       ///< whether the form has it at several places
-  std::size_t enough_digits = 0;  ///< of a multiple: as many as the published number has
+  bool is_common = false;   ///< pi/2, 5/12: see is_common_number()
+  bool is_of_form = false;  ///< a number in the text of the form: its name is its digits
 };
 
 /// A variable of a form and its range.
@@ -51,25 +49,13 @@ struct KnownSet {
   Symbolic formula;  ///< of the variables and the constants
   std::vector<KnownConstant> constants;
   std::vector<KnownVariant> variants = {};
-  /// The published constants times a factor, in another unit: "ln 2" and its value. The formula is one of
-  /// the published constants.
-  std::string times = {};
-  double factor = 1;
   bool is_encoded = false;  ///< whether the values are signals for a display: see `StudyFile`
 };
 
-/// The sets of all studies, those with powers of ten folded into them, and those of the built-in families.
+/// The sets of all studies, and those of the built-in families.
 std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
 
-/// The sets whose forms multiply constants by powers of ten, with the products as constants: 5.4856e-13 for a
-/// = 5.4856 in a*1e-13. A study may have them in other units than the programs that it names.
-std::vector<KnownSet> folded_powers_of(const std::vector<KnownSet>& sets);
-
-/// The sets with all their constants times one of the factors that programs fold into them, such as ln 2 for
-/// exp in place of exp2. Sets of one constant are left out: a single number is in no unit.
-std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets);
-
-/// The constants of a set as published, or times its factor.
+/// The constants of a set as published.
 std::vector<double> published_values(const KnownSet& set);
 
 /// The values with which a form compares a variable: 0.04045 for u in u <= t ? a : b. The constants are in

@@ -31,14 +31,6 @@ double mantissa_of(const Digits& digits) {
 
 constexpr std::size_t least_digits = 3;
 
-/// The fewest digits of a number that may be a multiple.
-constexpr std::size_t digits_of_multiple = 6;
-
-/// The first six digits, as a number.
-std::size_t first_digits(const std::string& text) {
-  return std::stoul(text.substr(0, digits_of_multiple));
-}
-
 /// The elements whose keys are in [low, high], of those that are sorted by the key.
 template <class T, class Value, class KeyOf>
 std::span<const T> between(const std::vector<T>& sorted, Value low, Value high, KeyOf key_of) {
@@ -60,25 +52,20 @@ void append(const NumberMatch& match, std::vector<NumberMatch>& matches) {
 
 DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    const bool is_multiple = !sets[s].times.empty();
     for (std::size_t c = 0; c < sets[s].constants.size(); ++c) {
       const KnownConstant& constant = sets[s].constants[c];
       const Digits digits = digits_of(constant.printed);
-      if (digits.text.size() < (is_multiple ? digits_of_multiple : least_digits) ||
-          (is_multiple && constant.is_common))
-        continue;
-      (is_multiple ? multiples_ : entries_)
-          .push_back({digits, mantissa_of(digits), {s, c}, constant.is_common, {}, constant.enough_digits});
+      if (digits.text.size() >= least_digits)
+        entries_.push_back({digits, mantissa_of(digits), {s, c}, constant.is_common});
     }
     for (std::size_t v = 0; v < sets[s].variants.size(); ++v) {
       const Digits digits = digits_of(sets[s].variants[v].printed);
       entries_.push_back({digits, mantissa_of(digits), {s, sets[s].variants[v].constant}, false, v});
     }
   }
-  for (std::vector<Entry>* entries : {&entries_, &multiples_})
-    std::ranges::sort(*entries, {}, [](const Entry& entry) {
-      return std::tuple(entry.mantissa, entry.place, entry.variant);
-    });
+  std::ranges::sort(entries_, {}, [](const Entry& entry) {
+    return std::tuple(entry.mantissa, entry.place, entry.variant);
+  });
   for (std::uint32_t e = 0; e < entries_.size(); ++e) {
     const std::string& text = entries_[e].digits.text;
     if (entries_[e].variant || entries_[e].is_common || text.size() < least_digits_to_vary) continue;
@@ -86,39 +73,20 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
       keys_.emplace_back(key_of(text, skipped), e);
   }
   std::ranges::sort(keys_);
-  for (const Entry& multiple : multiples_) {
-    // Rounding and floats change the sixth digit by one.
-    const std::size_t first = first_digits(multiple.digits.text);
-    for (const std::size_t near : {first - 1, first, first + 1})
-      has_multiple_[near % has_multiple_.size()] = true;
-  }
 }
 
 std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
   std::vector<NumberMatch> matches;
   if (found.text.size() < least_digits) return matches;
-  const double mantissa = mantissa_of(found);
-  look_near(found, mantissa, matches);
+  look_near(found, matches);
   look_edited(found, matches);
-  look_multiple(found, mantissa, matches);
   return matches;
 }
 
-void DigitIndex::look_multiple(const Digits& found, double mantissa,
-                               std::vector<NumberMatch>& matches) const {
-  if (found.text.size() < digits_of_multiple) return;
-  if (!has_multiple_[first_digits(found.text)]) return;
-  // Numbers that agree in six digits are closer than this.
-  constexpr double near = 1.1e-5;
-  for (const Entry& entry :
-       between(multiples_, mantissa * (1 - near), mantissa * (1 + near), &Entry::mantissa))
-    if (const auto match = match_multiple(found, entry.digits, entry.enough))
-      matches.push_back({entry.place, *match});
-}
-
-void DigitIndex::look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const {
-  // Numbers that agree in three digits are closer than this; those that agree in four, and a half with the
-  // number that it rounds, are closer than a tenth of it.
+void DigitIndex::look_near(const Digits& found, std::vector<NumberMatch>& matches) const {
+  const double mantissa = mantissa_of(found);
+  // Numbers that agree in three digits are closer than this; those that agree in four are
+  // closer than a tenth of it.
   const double near = found.text.size() == least_digits ? 0.011 : 0.0011;
   for (const Entry& entry :
        between(entries_, mantissa * (1 - near), mantissa * (1 + near), &Entry::mantissa)) {

@@ -30,8 +30,7 @@ class DigitIndex {
  public:
   explicit DigitIndex(const std::vector<KnownSet>& sets);
 
-  /// The constants with at least three digits that match. Those of multiples match numbers of six digits
-  /// and more, without an edit: there are ten times as many.
+  /// The constants with at least three digits that match.
   std::vector<NumberMatch> find(const Digits& found) const;
 
  private:
@@ -41,18 +40,15 @@ class DigitIndex {
     ConstantPlace place;
     bool is_common = false;  ///< then a near number is a different one
     std::optional<std::size_t> variant = {};
-    std::size_t enough = 0;  ///< of a multiple: KnownConstant::enough_digits
   };
 
   using Key = std::pair<std::uint64_t, std::uint32_t>;
 
-  void look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
+  void look_near(const Digits& found, std::vector<NumberMatch>& matches) const;
   void look_edited(const Digits& found, std::vector<NumberMatch>& matches) const;
-  void look_multiple(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
 
-  std::vector<Entry> entries_, multiples_;                         ///< by rising mantissa
-  std::vector<Key> keys_;                                          ///< of shortened texts, sorted; the entry
-  std::vector<bool> has_multiple_ = std::vector<bool>(1'000'000);  ///< by the first six digits
+  std::vector<Entry> entries_;  ///< by rising mantissa
+  std::vector<Key> keys_;       ///< of shortened texts, sorted; the entry
 };
 
 }  // namespace shadefit::lint

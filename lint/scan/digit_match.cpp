@@ -32,33 +32,9 @@ Digits rounded_to(const Digits& digits, std::size_t n) {
   return cut_to(result, n + 1);
 }
 
-/// All digits of a double that is a float or a half: 112 at most.
+/// All digits of a double that is a float: 112 at most.
 Digits all_digits_of(double value) {
   return digits_of(fmt::format("{:.112e}", value));
-}
-
-/// The nearest number in half precision: 11 binary digits, the last one not below 2^-24 (IEEE 754). No digits
-/// are printed beyond 65504, its largest.
-double half_of(double value) {
-  constexpr int digits = 11, least_exponent = -24;
-  int exponent = 0;
-  std::frexp(value, &exponent);
-  const int last = std::max(exponent - digits, least_exponent);
-  return std::ldexp(std::nearbyint(std::ldexp(value, -last)), last);
-}
-
-/// Whether the digits are those of the half, with enough digits to tell it from its neighbours: 6.984 for
-/// 6.98316. Three digits would be those of the number itself.
-bool is_print_of_half(const Digits& found, const Digits& published) {
-  constexpr std::size_t least_printed = 4, most_printed = 5;
-  if (found.text.size() < least_printed || found.text.size() > most_printed ||
-      !have_near_exponents(found, published))
-    return false;
-  const double half = half_of(number_of(published));
-  constexpr double near = 1e-3;  // half a unit of four digits is less; this settles most numbers
-  if (std::abs(number_of(found) - half) > near * half) return false;
-  const Digits all = all_digits_of(half);
-  return found == rounded_to(all, found.text.size());
 }
 
 /// Whether one would print these digits for the float or for the published number: rounded or cut off.
@@ -146,20 +122,6 @@ bool is_edited(const Digits& found, const Digits& published) {
          found.text != published.text && is_one_edit(found.text, published.text);
 }
 
-bool is_rounded_and_edited(const Digits& found, const Digits& published) {
-  constexpr std::size_t least_digits = 5;
-  if (found.text.empty()) return false;
-  if (!have_near_exponents(found, published)) return false;
-  // An edit may insert or leave out a digit.
-  for (std::size_t count = found.text.size() - 1; count <= found.text.size() + 1; ++count) {
-    if (count < least_digits || count >= published.text.size()) continue;
-    if (is_one_edit(found.text, rounded_to(published, count).text) ||
-        is_one_edit(found.text, cut_to(published, count).text))
-      return true;
-  }
-  return false;
-}
-
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published) {
   if (found == published) return DigitMatch::same;
   const std::size_t count = published.text.size();
@@ -171,18 +133,10 @@ std::optional<DigitMatch> match_digits(const Digits& found, const Digits& publis
   if (is_print_of_float(found, published)) return DigitMatch::float32;
   constexpr std::size_t least_rounded = 3;
   if (found.text.size() >= least_rounded && is_shortened(found, published)) return DigitMatch::rounded;
-  if (is_print_of_half(found, published)) return DigitMatch::rounded;
   if (have_near_exponents(found, published) && is_one_edit(found.text, published.text))
     return DigitMatch::edited;
   if (is_same_float(found, published)) return DigitMatch::float32;
   return std::nullopt;
-}
-
-std::optional<DigitMatch> match_multiple(const Digits& found, const Digits& multiple, std::size_t enough) {
-  const auto match = match_digits(found, multiple);
-  if (!match || *match > DigitMatch::rounded) return std::nullopt;
-  const bool is_enough = found.text.size() >= enough || found == rounded_to(multiple, enough);
-  return *match == DigitMatch::rounded && is_enough ? DigitMatch::enough : *match;
 }
 
 }  // namespace shadefit::lint

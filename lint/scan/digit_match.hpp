@@ -9,15 +9,13 @@ namespace shadefit::lint {
 
 /// From the closest to the loosest.
 enum class DigitMatch {
-  same,                ///< the same digits
-  longer,              ///< more digits, which round to the published ones
-  float32,             ///< the digits of the float nearest to the published number, or others of that float
-  enough,              ///< of a multiple, with as many digits as the published number has
-  rounded,             ///< fewer digits, rounded or cut off, or those of the nearest half
-  shifted,             ///< the same digits, with the decimal point elsewhere
-  usual_slip,          ///< see is_usual_slip()
-  edited,              ///< one digit differs, is missing or too many, or two neighbours are swapped
-  rounded_and_edited,  ///< fewer digits, and one of them edited: 6.98316 as 6.9832, then 6.9382
+  same,        ///< the same digits
+  longer,      ///< more digits, which round to the published ones
+  float32,     ///< the digits of the float nearest to the published number, or others of that float
+  rounded,     ///< fewer digits, rounded or cut off
+  shifted,     ///< the same digits, with the decimal point elsewhere
+  usual_slip,  ///< see is_usual_slip()
+  edited,      ///< one digit differs, is missing or too many, or two neighbours are swapped
 };
 
 /// The fewest digits of a published number for a match other than `same`. With fewer, too many numbers are
@@ -25,12 +23,8 @@ enum class DigitMatch {
 inline constexpr std::size_t least_digits_to_vary = 4;
 
 /// Compares a number without its sign. Empty if it is another number. It never answers `usual_slip`, which is
-/// for numbers of few digits, and `rounded_and_edited`, which a hundred times as many numbers are.
+/// for numbers of few digits.
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published);
-
-/// Compares a number with a multiple of a published one that has this many digits; the multiple has more.
-/// Empty if it is another number. It answers neither `shifted` nor `edited`.
-std::optional<DigitMatch> match_multiple(const Digits& found, const Digits& multiple, std::size_t enough);
 
 /// Whether the digits are the first ones of the published number, rounded or cut off.
 bool is_shortened(const Digits& found, const Digits& published);
@@ -43,9 +37,6 @@ bool is_usual_slip(const Digits& found, const Digits& published);
 
 /// Whether one digit is replaced, or two neighbours are swapped.
 bool is_edited(const Digits& found, const Digits& published);
-
-/// Whether one edit turns the published number, rounded or cut off to five digits or more, into the digits.
-bool is_rounded_and_edited(const Digits& found, const Digits& published);
 
 /// Whether the numbers may be equal but for rounding, which may add a leading digit. Most numbers that are
 /// compared differ in this, and the other comparisons are slow.

@@ -10,8 +10,7 @@
 namespace shadefit::lint {
 
 /// Whether the numbers from the first to the last literal are a whole list: (a, b, c), perhaps with a 0
-/// behind them as in vec4(a, b, c, 0.0), or assignments in turn to names that differ only in r, g, b, in red,
-/// green, blue, or in letters or digits that follow each other: LUMA_R = .., LUMA_G = .., LUMA_B = ..
+/// behind them as in vec4(a, b, c, 0.0).
 bool is_whole_list(const ScannedText& text, std::size_t first, std::size_t last);
 
 /// Whether a number with its sign is the first one in brackets.
@@ -23,9 +22,6 @@ bool stands_alone(std::string_view text, const Literal& literal);
 
 /// Whether all of them have as many digits behind the point.
 bool have_same_decimals(const ScannedText& text, std::size_t first, std::size_t last);
-
-/// Whether these literals are equally far apart in one list, as the column of a matrix is. At least three.
-bool is_column(const ScannedText& text, const std::vector<std::size_t>& places);
 
 /// A list of this many numbers is a table: among so many, some are near published ones.
 inline constexpr std::size_t least_table = 64;

@@ -41,7 +41,6 @@ struct Literal {
   std::size_t offset = 0, length = 0;  ///< in bytes, without a sign, with its suffix
   std::uint32_t significant = 0;       ///< digits
   bool is_in_comment = false;
-  bool has_power_of_ten = false;  ///< "5.4856 \times 10^{-13}": its decimal point says nothing
   Digits digits = {};
 };
 

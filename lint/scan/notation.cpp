@@ -44,34 +44,12 @@ std::string exponent_like(std::string_view style, int value) {
   return fmt::format("{}{}{}", style[0], value < 0 ? "-" : style[1] == '+' ? "+" : "", text);
 }
 
-constexpr std::string_view separators = "_'";
-
-/// The digits in groups, as those of a literal are: 6.831_6 has groups of three. Without groups in the
-/// literal they stay as they are.
-std::string grouped_like(const Notation& literal, const std::string& digits, bool is_fraction) {
-  const std::size_t in_fraction = literal.fraction.find_first_of(separators),
-                    in_whole = literal.whole.find_last_of(separators);
-  if (in_fraction == std::string_view::npos && in_whole == std::string_view::npos) return digits;
-  const bool is_by_fraction = in_fraction != std::string_view::npos;
-  const std::size_t size = is_by_fraction ? in_fraction : literal.whole.size() - in_whole - 1;
-  const char separator = is_by_fraction ? literal.fraction[in_fraction] : literal.whole[in_whole];
-  std::string out;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    // Groups begin at the point.
-    const std::size_t from_point = is_fraction ? i : digits.size() - i;
-    if (i > 0 && from_point % size == 0) out += separator;
-    out += digits[i];
-  }
-  return out;
-}
-
 /// The parts of a number as text. It has a point if the literal has one or if digits follow.
 std::string joined(const Notation& literal, std::string whole, std::string fraction) {
   if (whole.empty() && !literal.whole.empty()) whole = "0";
   if (whole == "0" && literal.whole.empty() && !fraction.empty()) whole.clear();
   if (fraction.empty() && literal.has_point && !literal.fraction.empty()) fraction = "0";
-  return grouped_like(literal, whole, false) + (literal.has_point || !fraction.empty() ? "." : "") +
-         grouped_like(literal, fraction, true);
+  return whole + (literal.has_point || !fraction.empty() ? "." : "") + fraction;
 }
 
 std::string with_exponent(const Notation& literal, const Notation& to, std::string_view published) {
@@ -121,7 +99,7 @@ std::optional<Notation> notation_at(std::string_view text) {
 
 std::string rewritten(std::string_view literal, std::string_view published) {
   if (published.starts_with('-') || published.starts_with('+')) published.remove_prefix(1);
-  const Notation as = notation_at(literal).value(), to = notation_at(published).value();
+  const Notation as = parts_of_number(literal), to = parts_of_number(published);
   const std::string suffix(as.suffix);
   if (!as.exponent.empty()) return with_exponent(as, to, published) + suffix;
   return joined(as, std::string(to.whole), std::string(to.fraction)) + std::string(to.exponent) + suffix;

@@ -29,9 +29,8 @@ bool is_suffix(std::string_view letters);
 std::optional<Notation> notation_at(std::string_view text);
 
 /// The published number, without its sign, in the notation of a literal: with its suffix, with or without a
-/// zero before the point, with its groups of digits, and with the point at the same place before an
-/// exponent. "1.5e-3f" and "0.00142" give "1.42e-3f". `notation_at` must accept both; the published one may
-/// have a sign.
+/// zero before the point, and with the point at the same place before an exponent. "1.5e-3f" and "0.00142"
+/// give "1.42e-3f". The published one may have a sign.
 std::string rewritten(std::string_view literal, std::string_view published);
 
 }  // namespace shadefit::lint

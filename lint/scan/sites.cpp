@@ -18,7 +18,7 @@ constexpr std::size_t most_gap = 700;
 /// A number of fewer digits is only looked for near the other constants.
 constexpr std::size_t least_digits_alone = 3;
 
-/// Numbers of few digits, and those with two slips, are looked for at most so many literals away.
+/// Numbers of few digits are looked for at most so many literals away.
 constexpr std::size_t most_literals = 6;
 
 struct Hit {
@@ -31,10 +31,7 @@ std::vector<Hit> hits_of(std::span<const Literal> literals, const DigitIndex& in
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (literals[i].significant < least_digits_alone) continue;
-    for (NumberMatch match : index.find(literals[i].digits)) {
-      if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
-      hits.push_back({i, match});
-    }
+    for (const NumberMatch& match : index.find(literals[i].digits)) hits.push_back({i, match});
   }
   // A number may stand for several constants of a set; the closest comes first.
   std::ranges::stable_sort(
@@ -108,10 +105,7 @@ class SiteFinder {
     numbers_.clear();
     drop_comments(site);
     add_near(site);
-    // A number among several is near a multiple too often.
-    constexpr std::size_t two = 2;
     const KnownSet& set = sets_[site.set];
-    if (!set.times.empty() && site.numbers.size() < two && set.constants.size() > two) return;
     add_in_list(site, &SiteFinder::shortened);
     site.bits = bits_of(text_, set, site);
     if (site.bits < telling_bits) {
@@ -120,9 +114,7 @@ class SiteFinder {
       whole.bits = bits_of(text_, set, whole);
       if (whole.bits >= telling_bits) site = std::move(whole);
     }
-    if (site.bits >= telling_bits && add_wrong(site)) site.bits = bits_of(text_, set, site);
     if (site.bits < least_bits) return;
-    if (site.bits < telling_bits) add_two_slips(site);
     sites_.push_back(std::move(site));
   }
 
@@ -206,22 +198,16 @@ class SiteFinder {
     });
     for (const std::size_t c : missing_constants(set_of(site), site)) {
       const Digits digits = published(site, c);
-      const auto matched = [&](const Digits& found) {
-        if (found == digits) return std::optional(DigitMatch::same);
-        if (set_of(site).times.empty()) return std::optional<DigitMatch>();
-        return match_multiple(found, digits, set_of(site).constants[c].enough_digits);
-      };
       // First by the published order, then by distance: a 1 may be anywhere.
       const auto place_of = [&](std::size_t i) {
         return std::pair(!keeps_order(site, c, i), distance_to(given, i));
       };
-      std::optional<SiteNumber> any;
+      std::optional<std::size_t> best;
       for (const std::size_t i : near) {
-        const auto match = is_taken(site, i) ? std::nullopt : matched(at(i).digits);
-        if (match && is_in_function_of(given, i) && (!any || place_of(i) < place_of(any->literal)))
-          any = SiteNumber{i, c, *match};
+        if (at(i).digits != digits || is_taken(site, i) || !is_in_function_of(given, i)) continue;
+        if (!best || place_of(i) < place_of(*best)) best = i;
       }
-      if (any) insert(site, *any);
+      if (best) insert(site, {*best, c});
     }
   }
 
@@ -254,90 +240,6 @@ class SiteFinder {
         continue;
       return insert(site, {i, constant, *match});
     }
-  }
-
-  /// Adds wrong numbers that are no evidence. Only for sites whose numbers are evidence enough. True if
-  /// there is one.
-  bool add_wrong(Site& site) {
-    const bool is_changed = add_rounded_and_edited(site);
-    return take_edited_repetitions(site) || is_changed;
-  }
-
-  /// Adds missing constants as numbers that were rounded and then mistyped, or mistyped in other units,
-  /// between or beside the others. True if there is one.
-  bool add_rounded_and_edited(Site& site) {
-    const Site given = site;
-    const bool has_other_units = is_in_other_units(site);
-    for (const std::size_t c : missing_constants(set_of(site), site)) {
-      if (set_of(site).constants[c].is_common) continue;
-      const Digits digits = published(site, c);
-      const auto matched = [&](const Digits& found) -> std::optional<DigitMatch> {
-        // The index does not look for multiples of few digits, nor for edited ones.
-        const auto match = set_of(site).times.empty() ? std::nullopt : match_digits(found, digits);
-        if (match && *match != DigitMatch::shifted) return match;
-        if (is_rounded_and_edited(found, digits)) return DigitMatch::rounded_and_edited;
-        const bool is_edited =
-            has_other_units && match_digits({found.text, digits.exponent}, digits) == DigitMatch::edited;
-        return is_edited ? std::optional(DigitMatch::edited) : std::nullopt;
-      };
-      for (const std::size_t i : free_near(given, 1)) {
-        if (is_taken(site, i) || !keeps_order(site, c, i) || !is_in_function_of(given, i)) continue;
-        const auto match = matched(at(i).digits);
-        if (!match) continue;
-        insert(site, {i, c, *match});
-        break;
-      }
-    }
-    return site.numbers.size() > given.numbers.size();
-  }
-
-  /// A constant that the form has at several places may have a wrong digit or exponent at one of them only.
-  /// Then that number is the constant. True if there is one.
-  bool take_edited_repetitions(Site& site) const {
-    constexpr std::size_t least_repeated = 5;  // one of 100 such numbers has one edit
-    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
-    bool is_changed = false;
-    if (!set_of(site).times.empty()) return false;
-    for (SiteNumber& number : site.numbers) {
-      const KnownConstant& constant = set_of(site).constants[number.constant];
-      const Digits digits = digits_of(constant.printed);
-      if (!constant.is_repeated || constant.is_common || number.match > DigitMatch::float32 ||
-          digits.text.size() < least_repeated)
-        continue;
-      for (std::size_t i = first; i <= last; ++i) {
-        const auto match = match_digits(at(i).digits, digits);
-        if ((match != DigitMatch::edited && match != DigitMatch::shifted) || is_taken(site, i) ||
-            at(i).is_in_comment != at(number.literal).is_in_comment)
-          continue;
-        number = {i, number.constant, *match};
-        is_changed = true;
-        break;
-      }
-    }
-    std::ranges::sort(site.numbers, {}, &SiteNumber::literal);
-    return is_changed;
-  }
-
-  /// Adds the two missing constants of three digits as the nearest numbers with a usual slip: 0.229 for 0.299
-  /// and 0.144 for 0.114. They are no evidence: only the expression can show that they belong to the site.
-  void add_two_slips(Site& site) {
-    std::vector<std::size_t> missing = missing_constants(set_of(site), site);
-    std::erase_if(missing, [&](std::size_t c) { return set_of(site).constants[c].is_common; });
-    if (missing.size() != 2) return;
-    Site whole = site;
-    for (const std::size_t constant : missing) {
-      const Digits digits = published(site, constant);
-      if (digits.text.size() != least_digits_alone) return;
-      std::optional<std::size_t> nearest;
-      for (const std::size_t i : free_near(site, most_literals)) {
-        if (is_taken(whole, i) || !is_in_function_of(site, i) || !is_usual_slip(at(i).digits, digits))
-          continue;
-        if (!nearest || distance_to(site, i) < distance_to(site, *nearest)) nearest = i;
-      }
-      if (!nearest) return;
-      insert(whole, {*nearest, constant, DigitMatch::edited});
-    }
-    site = std::move(whole);
   }
 
   const ScannedText& text_;

@@ -65,7 +65,7 @@ std::vector<Site> sites_of(const ScannedText& text, const std::vector<KnownSet>&
 std::vector<Site> chosen_sites(std::vector<Site> sites, const ReadSite& read);
 
 /// How much evidence the numbers of a site are: see `Site::bits`. What counts: the digits of each number, its
-/// place among the other numbers, the published order, and the names beside it.
+/// place among the other numbers, and the published order.
 double bits_of(const ScannedText& text, const KnownSet& set, const Site& site);
 
 }  // namespace shadefit::lint

@@ -29,9 +29,6 @@ constexpr std::string_view vendored_names[] = {
     "third_party", "third-party", "thirdparty", "3rdparty", "3rd_party", "3rd-party", "external", "externals",
     "extern", "externs", "vendor", "vendors", "vendored", ".vendored", "deps", "dependencies"};
 
-/// The folders of version control.
-constexpr std::string_view control_names[] = {".git", ".hg", ".svn"};
-
 constexpr std::size_t most_large_messages = 5;
 
 /// A licence may come before the first line that shows the language.
@@ -40,11 +37,6 @@ constexpr std::uintmax_t looked_into = 16384;
 template <class Values, class Value>
 bool contains(const Values& values, const Value& value) {
   return std::ranges::find(values, value) != std::end(values);
-}
-
-bool is_minified_name(const std::string& name) {
-  const std::string small = in_small_letters(name);
-  return small.ends_with(".min.js") || small.ends_with(".min.mjs") || small.ends_with(".min.cjs");
 }
 
 /// A path as shown: relative to `current`, an absolute folder, if it is absolute and below that; otherwise as
@@ -102,27 +94,16 @@ bool matches(std::string glob, const std::string& path) {
   return any != std::string::npos && matches(glob.replace(any, 4, "/"), path);
 }
 
-/// What globs say of a path.
-enum class GlobVerdict { none, excluded, kept };
-
-/// That of the last glob that matches.
-GlobVerdict verdict(const FolderGlobs& globs, const std::string& path, bool is_folder) {
-  std::string inside = globs.folder.string();
-  if (inside == "/") inside.clear();
-  if (!path.starts_with(inside + "/")) return GlobVerdict::none;
-  for (auto glob = globs.globs.rbegin(); glob != globs.globs.rend(); ++glob) {
-    std::string_view text = *glob;
-    const bool is_negative = text.starts_with('!');
-    if (is_negative) text.remove_prefix(1);
-    const bool is_for_folders = text.ends_with('/');
-    if (is_for_folders) text.remove_suffix(1);
-    if (is_for_folders && !is_folder) continue;
-    const bool is_for_names = text.find('/') == std::string_view::npos;
-    const std::string from = is_for_names || text.starts_with('/') ? "" : "/";
-    if (matches(from + std::string(text), path.substr(is_for_names ? path.rfind('/') + 1 : inside.size())))
-      return is_negative ? GlobVerdict::kept : GlobVerdict::excluded;
-  }
-  return GlobVerdict::none;
+/// Whether a glob matches a path.
+bool is_excluded(const FolderGlobs& globs, const std::string& path) {
+  const std::string folder = globs.folder == "/" ? "" : globs.folder.string();
+  if (!path.starts_with(folder + "/")) return false;
+  return std::ranges::any_of(globs.globs, [&](std::string_view glob) {
+    if (glob.ends_with('/')) glob.remove_suffix(1);
+    const bool is_for_names = glob.find('/') == std::string_view::npos;
+    const std::string from = is_for_names || glob.starts_with('/') ? "" : "/";
+    return matches(from + std::string(glob), path.substr(is_for_names ? path.rfind('/') + 1 : folder.size()));
+  });
 }
 
 class Search {
@@ -143,9 +124,9 @@ class Search {
     if (!fs::is_directory(status)) {
       // Refused here: a gate must not pass for what it could not read.
       read_part(place.path(), 0, 0);
-      if (const auto size = fs::file_size(place.path(), error); !error && size > options_.largest)
+      if (const auto size = fs::file_size(place.path(), error); !error && size > largest_source)
         throw UserError(fmt::format("cannot read '{}': it has {} bytes, more than {}", place.path().string(),
-                                    size, options_.largest));
+                                    size, largest_source));
       add_named_file(place);
       return;
     }
@@ -212,26 +193,19 @@ class Search {
   }
 
   bool is_wanted_folder(const FoundPath& place, const std::string& name, const List& list) {
-    if (contains(control_names, name)) return false;
+    if (name == ".git") return false;
     if (is_ignored(place, true, list)) {
       ++tree_.skipped.ignored;
       return false;
     }
-    const bool is_others = !options_.with_vendored && contains(vendored_names, in_small_letters(name)) &&
-                           said(place, true) != GlobVerdict::kept;
+    const bool is_others = contains(vendored_names, in_small_letters(name));
     if (is_others) ++tree_.skipped.vendored;
     return !is_others;
   }
 
-  /// What the globs say, those of the command line first.
-  GlobVerdict said(const FoundPath& place, bool is_folder) const {
-    const GlobVerdict first = verdict(globs_[0], place.absolute, is_folder);
-    return first == GlobVerdict::none ? verdict(globs_[1], place.absolute, is_folder) : first;
-  }
-
   bool is_ignored(const FoundPath& place, bool is_folder, const List& list) const {
-    const GlobVerdict globs = said(place, is_folder);
-    if (globs != GlobVerdict::none) return globs == GlobVerdict::excluded;
+    for (const FolderGlobs& globs : globs_)
+      if (is_excluded(globs, place.absolute)) return true;
     return list ? !list->has(place) : is_folder && place.absolute.ends_with("/build");
   }
 
@@ -243,13 +217,10 @@ class Search {
     }
     const auto& wanted = options_.languages;
     if (!wanted.empty() && !contains(wanted, named->language)) return;
-    if (is_ignored(place, false, list)) {
+    if (is_ignored(place, false, list))
       ++tree_.skipped.ignored;
-    } else if (is_minified_name(name)) {
-      ++tree_.skipped.minified;
-    } else {
+    else
       add_file(place, *named, is_regular);
-    }
   }
 
   /// A file of an unknown language is read as if it were C: most languages write numbers and comments alike.
@@ -269,10 +240,10 @@ class Search {
     const std::uintmax_t size = fs::file_size(place.path(), error);
     if (error) {
       cannot_read(place.name, error.message());
-    } else if (size > options_.largest) {
+    } else if (size > largest_source) {
       if (++tree_.skipped.too_large <= most_large_messages)
         tree_.skipped.messages.push_back(
-            fmt::format("'{}' has {} bytes, more than {}", place.name, size, options_.largest));
+            fmt::format("'{}' has {} bytes, more than {}", place.name, size, largest_source));
     } else if (named.is_sure || is_shader(place, size)) {
       tree_.files.push_back({place.path(), place.name, named.language, size});
     }

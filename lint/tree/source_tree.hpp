@@ -44,10 +44,7 @@ struct SourceTree {
 };
 
 /// Globs, and the folder that they are relative to; empty: the current one. As in .gitignore, a glob without
-/// a
-/// '/' inside matches the last name of a path, one with a '/' at its end only folders, '**' any folders, and
-/// a
-/// '!' at its start takes back what earlier ones match. Otherwise it is that of fnmatch(3).
+/// a '/' inside matches the last name of a path, and '**' any folders. Otherwise it is that of fnmatch(3).
 struct FolderGlobs {
   std::filesystem::path folder;
   std::vector<std::string> globs = {};
@@ -56,19 +53,16 @@ struct FolderGlobs {
 struct TreeOptions {
   std::vector<std::string> exclude = {};       ///< see `FolderGlobs`, relative to the current folder
   std::vector<SourceLanguage> languages = {};  ///< empty: all
-  bool with_vendored = false;
-  std::uintmax_t largest = largest_source;
-  FolderGlobs configured = {};  ///< those of a configuration; `exclude` has the last word
+  FolderGlobs configured = {};                 ///< those of a configuration
 };
 
 /// The source files that the paths name, or that are below the folders that they name. In a work tree of git
 /// these are the files that git_files() lists; for a named folder that git ignores, for one without git, and
 /// where git refuses, which a message says, all files but those in a folder `build`. Left out are: what
-/// `exclude` matches; folders with code of others, such as third_party; .git; symbolic links; files larger
-/// than `largest`. A path that is named is read anyway. A named link is read as its target. A glob '!..' of
-/// `exclude` includes a folder with code of others, and what git ignores. If the folder of globs is not above
-/// a path, that path replaces it. Throws UserError for a path that does not exist, cannot be read, or is a
-/// file larger than `largest`; what cannot be read below a path is counted.
+/// globs match; folders with code of others, such as third_party; .git; symbolic links; files larger than
+/// `largest_source`. A path that is named is read anyway. A named link is read as its target. If the folder
+/// of globs is not above a path, that path replaces it. Throws UserError for a path that does not exist,
+/// cannot be read, or is a file larger than `largest_source`; what cannot be read below a path is counted.
 SourceTree find_sources(const std::vector<std::string>& paths, const TreeOptions& options);
 
 /// All bytes of a file, which need not be UTF-8. Empty, and counted in `skipped`, if it is unreadable, binary

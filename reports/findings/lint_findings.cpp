@@ -70,9 +70,8 @@ std::string numbers_words(const LintedSite& site) {
 
 std::string message_of(const LintedSite& site) {
   if (!site.fault.empty()) return site.fault;
-  const std::string set =
-      fmt::format("{}{}{}{}", site.id, site.form.empty() ? "" : " (" + site.form + ")",
-                  site.times.empty() ? "" : " times " + site.times, site.is_pinned ? ", pinned" : "");
+  const std::string set = fmt::format("{}{}{}", site.id, site.form.empty() ? "" : " (" + site.form + ")",
+                                      site.is_pinned ? ", pinned" : "");
   if (site.grade == Grade::right) return fmt::format("{}: the constants of {}", set, site.source);
   std::string what = numbers_words(site);
   if (!site.slip.empty())

@@ -33,30 +33,17 @@ constexpr double rounding = 1e-15;  // the same operations in another order
 
 TEST(ReadExpression, ReadsEachLanguage) {
   const double x = 0.3, expected = std::pow(x + 0.055, 2.4);
-  for (const char* text : {"pow(x + 0.055f, 2.4f)", "std::pow(x + 0.055, 2.4)", "Math.pow(x + 0.055, 2.4)",
-                           "np.power(x + 0.055, 2.4)", "(x + 0.055) ** 2.4", "(x + 0.055).powf(2.4)",
-                           "x.add(0.055).pow(2.4)", "pow(vec3(x) + vec3(0.055), vec3(2.4))",
-                           "powr(x.rgb + .055h, 2.4h)", "pow(vec3<f32>(x) + 0.055, vec3f(2.4))"})
+  for (const char* text :
+       {"pow(x + 0.055f, 2.4f)", "std::pow(x + 0.055, 2.4)", "Math.pow(x + 0.055, 2.4)",
+        "np.power(x + 0.055, 2.4)", "(x + 0.055) ** 2.4", "pow(vec3(x) + vec3(0.055), vec3(2.4))",
+        "powr(x.rgb + .055h, 2.4h)", "pow(vec3<f32>(x) + 0.055, vec3f(2.4))"})
     EXPECT_NEAR(at_point_three(text), expected, rounding) << text;
   EXPECT_NEAR(at_point_three("x**-2", CommentStyle::hash), std::pow(x, -2), 1e-14);
-  EXPECT_NEAR(at_point_three("x.mul_add(2.0, 1.0)"), 2 * x + 1, rounding);
-  EXPECT_NEAR(at_point_three("x.mul(x.add(0.5)).sub(0.25).div(2)"), (x * (x + 0.5) - 0.25) / 2, rounding);
 }
 
 TEST(ReadExpression, AVectorOfEqualComponentsIsANumber) {
   EXPECT_NEAR(at_point_three("x + vec3(0.055, 0.055 , 0.055)"), 0.355, rounding);
   EXPECT_TRUE(std::isnan(at_point_three("x + vec3(0.055, 0.055, 0.05)")));
-}
-
-TEST(ReadExpression, AMaskChoosesAsAComparisonDoes) {
-  for (const char* text : {"mix(x, x * x, vec3(lessThanEqual(x, vec3(0.3))))",
-                           "mix(x, x*x, greaterThan(x, 0.1))", "select(x < 0.5, x * x, x)",
-                           "np.where(x >= 0.3, x**2, x)", "select(vec3f(x), x * x, x <= vec3f(0.3))"})
-    EXPECT_NEAR(at_point_three(text), 0.09, rounding) << text;
-  EXPECT_NEAR(at_point_three("mix(x, x * x, lessThan(x, vec3(0.2)))"), 0.3, rounding);
-  EXPECT_NEAR(at_point_three("select(x * x, x, x < 0.2)"), 0.09, rounding);
-  // Either order: a name, as any other call.
-  EXPECT_NEAR(at_point_three("select(x, x * x, is_dark)"), 0.3, rounding);
 }
 
 TEST(ReadExpression, AProductWithAVectorIsASum) {
@@ -158,24 +145,17 @@ TEST(Mutants, HaveEachKindOfSlip) {
   };
   const std::vector<Case> cases{
       {"a + b", "a - b"},
-      {"a + b", "a"},                    // a lost term
-      {"a - b", "b - a"},                // swapped operands
-      {"a (b + c)", "a b + c"},          // lost parentheses
-      {"a x + c", "a (x + c)"},          // moved ones
-      {"a exp(x) - b", "exp(a x) - b"},  // an operand moved into the argument
-      {"b - a sqrt(x)", "b - sqrt(a x)"},
-      {"exp(x) - b", "exp(x - b)"},
-      {"exp((x + b)/a)", "exp(x + b)/a"},  // and out of it
-      {"(x - b)^2", "x^2 - b"},
+      {"a + b", "a"},      // a lost term
+      {"a - b", "b - a"},  // swapped operands
       {"exp(x)", "exp2(x)"},
       {"a/b", "a b"},
       {"x^5", "x^4"},
       {"pow(x, a)", "x^(1/a)"},
+      {"pow(x, a)", "x", false},  // the power may be computed elsewhere
       {"a + b", "a + b", false},
       // A factor that is a number may stand elsewhere.
       {"(a + b)/(4 pi)", "a + b", false},
       {"2 (a + b)", "a + b", false},
-      {"exp(2 x)", "2 exp(x)", false},
   };
   for (const auto& [formula, text, is_there] : cases) {
     const auto mutants = mutants_of(read_formula(formula, {.variables = {"a", "b", "c", "x"}}).formula);
@@ -190,105 +170,6 @@ TEST(MatchExpression, TellsTheSlip) {
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites.front().grade, Grade::wrong);
   EXPECT_NE(sites.front().slip.find(" for "), std::string::npos);
-}
-
-TEST(MatchExpression, AMacroIsRead) {
-  EXPECT_EQ(grade_in("#define F(c) exp2f((-5.55473f * c - 6.98316f) * c)\n"), "right");
-  EXPECT_EQ(grade_in("#define F(c) exp2f((-5.55473f * c + 6.98316f) * c)\n"), "wrong");
-  EXPECT_EQ(grade_in("#define G 1\n  # define F(c)  (exp2((-5.55473 * (c) + 6.98316) * (c)))\n-1"), "wrong");
-  EXPECT_EQ(grade_in("#define F(c) \\\n  exp2f((-5.55473f * c \\\r\n  + 6.98316f) * c)\n+ 1"), "wrong");
-  EXPECT_EQ(grade_in("#define CURVE exp2f((-5.55473f * c + 6.98316f) * c)\n"), "wrong");
-  EXPECT_EQ(grade_in("#define A -5.55473\n#define B -6.98316\n"), "right");
-}
-
-TEST(MatchExpression, ABranchMayHaveTheSlip) {
-  const std::string line = "float f(float x) { if (x <= 0.0031308) return x * 12.92;\nreturn ";
-  const auto grade = [&](const std::string& power) { return grade_in(line + power + "; }"); };
-  EXPECT_EQ(grade("pow(x, 1.0 / 2.4) * 1.055 - 0.055"), "right");
-  EXPECT_EQ(grade("pow(x * 1.055, 1.0 / 2.4) - 0.055"), "wrong");
-  EXPECT_EQ(grade("pow(x, 2.4) * 1.055 - 0.055"), "wrong");
-  // A part of the branch is no slip: the rest may stand elsewhere.
-  EXPECT_EQ(grade("offset(pow(x, 1.0 / 2.4) * 1.055, 0.055)"), "right");
-}
-
-/// Functions that decode and encode sRGB with an `if`; T is the threshold.
-struct WithIf {
-  SourceLanguage language;
-  std::string decoder, encoder;
-};
-
-const std::vector<WithIf>& all_with_if() {
-  using enum SourceLanguage;
-  static const std::vector<WithIf> all{
-      {glsl, "float f(float x) { if (x <= T) return x/12.92; return pow((x + 0.055)/1.055, 2.4); }",
-       "float f(float x) { if (x <= T) return x*12.92; return pow(x, 1.0/2.4)*1.055 - 0.055; }"},
-      {c_family,
-       "float f(float x) {\n  // dark\n  if (x <= T) {\n    return x/12.92f; // line\n  } else {\n"
-       "    return pow((x + 0.055f)/1.055f, 2.4f);\n  }\n}",
-       "float f(float x)\n{\n  if (x < T)\n  {\n    return 12.92f*x;\n  }\n"
-       "  return 1.055f*pow(x, 1.0f/2.4f) - 0.055f;\n}"},
-      {javascript, "function f(x) {\n if(x > T) x = Math.pow((x + 0.055)/1.055, 2.4)\n else x /= 12.92\n}",
-       "function f(x) {\n let y = 12.92*x;\n if(x > T) y = 1.055*Math.pow(x, 1/2.4) - 0.055;\n}"},
-      {hlsl,
-       "float f(float x) { if (x < T) return x*0.0773993808; return pow(x*0.9478672986 + 0.0521327014, 2.4); }",
-       "float f(float x) { if (x < T) return x*12.92; else return pow(x, 0.41666667)*1.055 - 0.055; }"},
-      {python, "def f(x):\n  if x <= T:\n    return x/12.92\n  return ((x + 0.055)/1.055)**2.4\n",
-       "def f(x):\n  return 12.92*x if x <= T else 1.055*x**(1/2.4) - 0.055\n"},
-      {rust,
-       "fn f(x: f32) -> f32 {\n  if x <= T {\n    x/12.92\n  } else {\n    ((x + 0.055)/1.055).powf(2.4)\n  }\n}",
-       "fn f(x: f32) -> f32 { let y = if x <= T { x*12.92 } else { 1.055*x.powf(1.0/2.4) - 0.055 }; y }"},
-      {go,
-       "func f(x float64) float64 {\n\tif x <= T {\n\t\treturn x/12.92\n\t}\n\treturn math.Pow((x+0.055)/1.055, 2.4)\n}",
-       "func f(x float64) float64 {\n\tif x <= 0 {\n\t\treturn 0\n\t} else if x <= T {\n\t\treturn x*12.92\n\t} else {\n"
-       "\t\treturn 1.055*math.Pow(x, 1/2.4) - 0.055\n\t}\n}"}};
-  return all;
-}
-
-std::string with_threshold(std::string text, const std::string& threshold) {
-  return text.replace(text.find('T'), 1, threshold);
-}
-
-TEST(MatchExpression, AnIfMayHaveTheWrongThreshold) {
-  for (const WithIf& one : all_with_if()) {
-    const auto decoder = [&](const std::string& t) {
-      return verdict_in(with_threshold(one.decoder, t), one.language);
-    };
-    const auto encoder = [&](const std::string& t) {
-      return verdict_in(with_threshold(one.encoder, t), one.language);
-    };
-    EXPECT_EQ(decoder("0.04045"), "srgb-decode-standard right") << one.decoder;
-    EXPECT_EQ(decoder("0.4045"), "srgb-decode-standard wrong") << one.decoder;
-    EXPECT_EQ(decoder("0.0031308"), "srgb-decode-standard wrong") << one.decoder;
-    EXPECT_EQ(encoder("0.31308"), "srgb-encode-standard wrong") << one.encoder;
-    EXPECT_EQ(encoder("0.04045"), "srgb-encode-standard wrong") << one.encoder;
-    EXPECT_EQ(encoder("0.0031308"), "srgb-encode-standard right") << one.encoder;
-    // Here both sets have most of the numbers.
-    EXPECT_TRUE(encoder("0.04045 / 12.92").ends_with(" right")) << one.encoder;
-  }
-}
-
-TEST(MatchExpression, AnIfWithMoreThanTwoValuesIsNotRead) {
-  // The numbers alone decide: 0.4045 is a typo of 0.04045.
-  EXPECT_EQ(verdict_in("float f(float x) { float y; if (x <= 0.4045) { y = x/12.92; n += 1; } else {\n"
-                       "y = pow((x + 0.055)/1.055, 2.4); } return y; }",
-                       SourceLanguage::glsl),
-            "srgb-decode-standard wrong");
-  EXPECT_EQ(
-      verdict_in("float f(float x) { if (x <= 0.04045) { if (x < 0.0) return 0.0; else return x/12.92; }\n"
-                 "return pow((x + 0.055)/1.055, 2.4); }",
-                 SourceLanguage::glsl),
-      "srgb-decode-standard right");
-}
-
-TEST(MatchExpression, AMaskMayHaveTheWrongThreshold) {
-  const auto grade = [](const std::string& threshold) {
-    return grade_in(
-        "vec3 f(vec3 u) { return mix(pow((u + vec3(0.055)) * (1.0 / 1.055), vec3(2.4)), u * (1.0 / 12.92),\n"
-        "lessThan(u, vec3(" +
-        threshold + "))); }");
-  };
-  EXPECT_EQ(grade("0.04045"), "right");
-  EXPECT_EQ(grade("0.0031308"), "wrong");
 }
 
 TEST(MatchExpression, AProductOfVectorsIsRead) {
@@ -314,30 +195,6 @@ TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {
   EXPECT_EQ(grade_in("vec3 f(vec3 v) { vec3 a = v * (v + 0.0245786);\n"
                      "vec3 b = v * (0.983729 * v + 0.4329510) + 0.238081;\nreturn a / b; }"),
             "wrong");
-}
-
-TEST(MatchExpression, HalfOfAFormIsRight) {
-  EXPECT_EQ(grade_in("float f(float c) { return exp2(-1.0 - 8.656170 * c); }"), "right");
-  // 2^-1.37 is no simple number, and another number with c is another curve.
-  EXPECT_EQ(graded("float f(float c) { return exp2(-1.37 - 8.656170 * c); }"), Words{});
-  EXPECT_EQ(graded("float f(float c) { return exp2(-c - 8.656170); }"), Words{});
-}
-
-TEST(MatchExpression, TheCoreOfAFormIsEnough) {
-  // k alone; (1 - k^2)/(4 pi (1 - k c)^2) stands elsewhere.
-  EXPECT_EQ(grade_in("float k = 1.55 * g - 0.55 * g * g * g;"), "right");
-  EXPECT_EQ(grade_in("float k = 1.55 * g - 5.55 * g * g * g;"), "wrong");
-}
-
-TEST(MatchExpression, AVariableMayHaveOneValue) {
-  const auto grade = [](const std::string& sign) {
-    return grade_in(
-        "float f(float c) { float g = 0.76; float k = 1.55 * g - 0.55 * g * g * g;\n"
-        "return (1.0 - k * k)/(4.0 * PI * (1.0 " +
-        sign + " k * c) * (1.0 " + sign + " k * c)); }");
-  };
-  EXPECT_EQ(grade("-"), "right");
-  EXPECT_EQ(grade("+"), "wrong");
 }
 
 /// A text of a language, and "ID GRADE" of its only site, or what stands for it.
@@ -371,12 +228,7 @@ TEST(MatchExpression, AnInnerPowerMayStandElsewhere) {
        "  r0.xyz = log2(r0.xyz);\n  r0.xyz = float3(78.84375,78.84375,78.84375) * r0.xyz;\n"
        "  r0.xyz = exp2(r0.xyz);\n",
        right},
-      // A slip in what is left.
-      {hlsl, "float f(float p) { return pow((18.8515625*p + 0.8359375)/(18.6875*p - 1.0), 78.84375); }",
-       wrong},
       {hlsl, "float f(float p) { return pow((18.8515625*p + 0.8395375)/(18.6875*p + 1.0), 78.84375); }",
-       wrong},
-      {hlsl, "float f(float p) { return pow((18.6875*p + 0.8359375)/(18.8515625*p + 1.0), 78.84375); }",
        wrong},
   });
 }

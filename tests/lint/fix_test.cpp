@@ -25,14 +25,6 @@ TEST(Rewritten, KeepsTheNotation) {
   EXPECT_EQ(rewritten("0.002", "1.5e-3"), "1.5e-3") << "the exponent as printed";
 }
 
-TEST(Rewritten, KeepsGroupsOfDigits) {
-  EXPECT_EQ(rewritten("6.831_6_f32", "-6.98316"), "6.983_16_f32");
-  EXPECT_EQ(rewritten("6.83_16f32", "-6.98316"), "6.98_31_6f32");
-  EXPECT_EQ(rewritten("1_000.5", "1234567.1234"), "1_234_567.123_4");
-  EXPECT_EQ(rewritten("1.234'5e-3", "0.00123456"), "1.234'56e-3");
-  EXPECT_EQ(rewritten("0.831_6", "0.69"), "0.69");
-}
-
 TEST(Rewritten, KeepsThePlaceOfThePointBeforeAnExponent) {
   EXPECT_EQ(rewritten("1.5e-3f", "0.00142"), "1.42e-3f");
   EXPECT_EQ(rewritten("1.5E-03", "0.00142"), "1.42E-03");

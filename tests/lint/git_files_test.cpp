@@ -81,7 +81,7 @@ TEST_F(GitFiles, AreTrackedOrNewAndNotIgnored) {
   EXPECT_EQ(find_sources({"p"}, {}).skipped.ignored, 2U) << "y.h and the folder out";
   EXPECT_EQ(found("p/a"), (Names{"p/a/kept/x.h", "p/a/x.h"}));
   EXPECT_EQ(found("p/out"), (Names{"p/out/sub/x.h", "p/out/z.h"})) << "named, though ignored";
-  EXPECT_EQ(found("p", {.exclude = {"!out/", "a", "build"}}), (Names{"p/out/sub/x.h", "p/out/z.h", "p/é.h"}));
+  EXPECT_EQ(found("p", {.exclude = {"a", "build"}}), Names{"p/é.h"});
   EXPECT_EQ(found("."), (Names{"outer.h", "p/a/kept/x.h", "p/a/x.h", "p/build/k.h", "p/é.h"}));
 }
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "lint/expression/program_text.hpp"
 #include "lint/lint_tree.hpp"
 #include "tests/lint/all_known.hpp"
 
@@ -36,16 +35,10 @@ TEST(ReadLanguages, TheValueOfAFunctionWithoutANameIsRead) {
       {typescript, "export const f = (c: number): number => Math.pow(2, (-5.55473*c @ 6.98316)*c);\n"},
       {javascript, "const all = xs.map(c => Math.pow(2, (-5.55473*c @ 6.98316)*c));\n"},
       {csharp, "static float F(float c) => MathF.Pow(2f, (-5.55473f*c @ 6.98316f)*c);\n"},
-      {java, "F f = c -> StrictMath.pow(2, (-5.55473*c @ 6.98316)*c);\n"},
-      {java, "F f = (float c) -> (float)Math.pow(2, (-5.55473*c @ 6.98316)*c);\n"},
-      {python, "f = lambda c: 2**((-5.55473*c @ 6.98316)*c)\n"},
-      {python, "xs = map(lambda c: np.exp2((-5.55473*c @ 6.98316)*c), ys)\n"},
-      {rust, "let f = |c: f32| ((-5.55473*c @ 6.98316)*c).exp2();\n"},
-      {rust, "let ys = xs.map(|c| ((-5.55473*c @ 6.98316)*c).exp2());\n"},
   });
 }
 
-TEST(ReadLanguages, APrefixOrARoundingOfAFunctionHasNoMeaning) {
+TEST(ReadLanguages, APrefixOfAFunctionHasNoMeaning) {
   using enum SourceLanguage;
   expect_read({
       {csharp, "float F(float c) { return Mathf.Pow(2f, (-5.55473f*c @ 6.98316f)*c); }\n"},
@@ -53,11 +46,6 @@ TEST(ReadLanguages, APrefixOrARoundingOfAFunctionHasNoMeaning) {
       {python, "def f(c):\n  return torch.exp2((-5.55473*c @ 6.98316)*c)\n"},
       {python, "def f(c):\n  return jnp.exp2((-5.55473*c @ 6.98316)*c)\n"},
       {python, "def f(c):\n  return tf.math.pow(2.0, (-5.55473*c @ 6.98316)*c)\n"},
-      {cuda, "float f(float c) { return __powf(2.0f, (-5.55473f*c @ 6.98316f)*c); }\n"},
-      {cuda, "float f(float c) { return __exp2f((-5.55473f*c @ 6.98316f)*c); }\n"},
-      {cuda, "float f(float c) { return __exp2f(__fmaf_rn(-5.55473f, c, @6.98316f)*c); }\n"},
-      {cuda, "float f(float c) { return __exp2f(__fmul_rn(-5.55473f*c @ 6.98316f, c)); }\n"},
-      {c_family, "float f(float c) { return native_exp2((-5.55473f*c @ 6.98316f)*c); }\n"},
   });
 }
 
@@ -75,22 +63,24 @@ TEST(ReadLanguages, APlusMayComeFirst) {
   EXPECT_EQ(grade("+"), "agx-sextic wrong");
 }
 
-TEST(ReadLanguages, StringsOfSeveralLinesAreOneProgram) {
-  using enum SourceLanguage;
-  const auto joined = [](const std::string& text) { return with_joined_strings(text, CommentStyle::c); };
-  EXPECT_EQ(joined("s = \"a;\\n\"\n  \"b\\n\";\n"), "s = ;a;   \n   b  ;;\n");
-  EXPECT_EQ(joined("f('a' +\n'b')"), "f(;a   \n b;)");
-  for (const char* text :
-       {"\"a\",\n\"b\"", "\"a\n\"b\"", "\"a\"\n'b'", "\"a\"\n\n\"b\"", "a\n\"", "\"\n", ""})
-    EXPECT_EQ(joined(text), text);
-  expect_read({
-      {c_family,
-       "const char* f =\n  \"float p = (-5.55473*c @ 6.98316) * c;\\n\"\n  \"return exp2(p);\\n\";\n"},
-      {c_family,
-       "const char* f =\n  \"float p = (-5.55473*c // a term\\n\"\n  \"@ 6.98316) * c; /* p */\\n\"\n  \"return exp2(p);\\n\";\n"},
-      {javascript, "const f = 'float p = (-5.55473*c @ 6.98316) * c;' +\n  'return exp2(p);';\n"},
-      {python, "f = (\"float p = (-5.55473*c @ 6.98316) * c;\\n\"\n     \"return exp2(p);\\n\")\n"},
-  });
+/// "id grade", with ": slip" of an operation, of each site. All have to be in comments.
+Words notes_in(const std::string& text) {
+  Words words;
+  for (const LintedSite& site : lint_text(text)) {
+    EXPECT_TRUE(site.is_in_comment) << text;
+    words.push_back(site.id + " " + std::string(name(site.grade)) +
+                    (site.slip.empty() ? "" : ": " + site.slip));
+  }
+  return words;
+}
+
+TEST(Comments, MayHaveAFormula) {
+  const Words wrong{"fresnel-quadratic wrong"};
+  EXPECT_EQ(notes_in("// exp2((-5.55473 * c - 6.8316) * c)\n"), wrong);
+  EXPECT_EQ(notes_in("/* The term:\n * f = exp2((-5.55473 * c - 6.8316) * c)\n */\n"), wrong);
+  EXPECT_EQ(notes_in("// exp2((-5.55473 * c - 6.98316) * c)\n"), Words{"fresnel-quadratic right"});
+  EXPECT_EQ(notes_in("// exp2((-5.55473 * c + 6.98316) * c)\n"),
+            Words{"fresnel-quadratic wrong: a c - b for a c + b"});
 }
 
 }  // namespace

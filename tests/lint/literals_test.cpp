@@ -67,38 +67,24 @@ bool ends_in_comment(std::string_view text, CommentStyle style) {
 
 TEST(Literals, NoCommentBeginsInQuotes) {
   for (const char* text :
-       {R"y(glob("src/*.glsl"); 2)y", R"y(f("//x", 2))y", R"y(f('//x', 2))y", "f(`//x`, 2)", "f(`/* x`); 2",
-        R"y(f("\"//x", 2))y", R"y(c = '"'; d = "//"; 2)y", R"y(c = '\''; d = '//'; 2)y",
-        R"y(s = R"x(" /* )" )x"; 2)y", R"y(s = @"c:\"; t = "//"; 2)y", R"y(s = """ " /* """; 2)y",
-        R"y(s.replace(/"/g, '//'); 2)y", R"y(s.match(/[/*]\//); 2)y", "#error don't\n2"})
+       {R"y(glob("src/*.glsl"); 2)y", R"y(f("//x", 2))y", R"y(f('//x', 2))y", R"y(f("\"//x", 2))y",
+        R"y(c = '"'; d = "//"; 2)y", R"y(c = '\''; d = '//'; 2)y", "#error don't\n2"})
     EXPECT_FALSE(ends_in_comment(text, CommentStyle::c)) << text;
-  for (const char* text : {R"y(f<'a>(x: &'a str) { g("//x"); 2)y", R"y(let s = r#"" // "#; 2)y",
-                           "let s = \"a\n// b\"; 2", R"y(let c = '"'; let d = "//"; 2)y"})
+  for (const char* text : {R"y(f<'a>(x: &'a str) { g("//x"); 2)y", R"y(let c = '"'; let d = "//"; 2)y"})
     EXPECT_FALSE(ends_in_comment(text, CommentStyle::rust)) << text;
-  for (const char* text : {R"y(f("#x", 2))y", "f('#x', 2)", "s = \"\"\"\n# x\n\"\"\"; 2",
-                           "s = \'\'\'\n# \" x\n\'\'\'; 2", "#define A 2", "  #define A 2"})
+  for (const char* text : {R"y(f("#x", 2))y", "f('#x', 2)", "#define A 2", "  #define A 2"})
     EXPECT_FALSE(ends_in_comment(text, CommentStyle::hash)) << text;
 }
 
 TEST(Literals, CommentsBeginBesideQuotes) {
   for (const char* text :
        {R"y(f("x"); // 2)y", R"y(f("x" /* 2)y", R"y(c = '"'; // 2)y", "// don't 1\n// 2", "/* don't */ /* 2",
-        R"y(f("open // 2)y", "n = 0xFF'FF; // it's 2", "a = b / c; // 2 / 3", "`vec3(1); // 2`",
-        "`a ${b} /* 2 */`", "`open // 2", R"y(s.replace(/'/g, "x"); // 2)y"})
+        R"y(f("open // 2)y", "n = 0xFF'FF; // it's 2", "a = b / c; // 2 / 3"})
     EXPECT_TRUE(ends_in_comment(text, CommentStyle::c)) << text;
   for (const char* text : {"fn f<'a>(x: &'a str) { // don't 2", "'a: loop { // 2", R"y(let c = '\''; // 2)y"})
     EXPECT_TRUE(ends_in_comment(text, CommentStyle::rust)) << text;
   for (const char* text : {R"y(f("x") # 2)y", "# don't\n# 2", "#defined 2", "x #define 2"})
     EXPECT_TRUE(ends_in_comment(text, CommentStyle::hash)) << text;
-}
-
-TEST(Literals, KnowPowersOfTen) {
-  for (const char* text : {"5.4 \\times 10^{-13}", "5.4 \\cdot 10^3", "5.4 x 10^3", "5.4 * 10**-4",
-                           "5.4\xc3\x97"
-                           "10^3"})
-    EXPECT_TRUE(literals_of(text, CommentStyle::none).front().has_power_of_ten) << text;
-  for (const char* text : {"5.4 * 100", "5.4 * x", "5.4"})
-    EXPECT_FALSE(literals_of(text, CommentStyle::none).front().has_power_of_ten) << text;
 }
 
 TEST(Digits, AreWithoutSignZerosAndSuffix) {

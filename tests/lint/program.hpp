@@ -67,7 +67,7 @@ inline const std::vector<Dialect>& dialects() {
        "",
        {"np.power({0}, {1})", "({0}) ** ({1})"},
        "np.exp2({0})",
-       "np.where({0} < {1}, {2}, {3})",
+       "({2} if {0} < {1} else {3})",
        "#",
        "def f(x):\n",
        "    {0} = {1}\n",

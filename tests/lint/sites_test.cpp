@@ -26,25 +26,10 @@ TEST(Sites, AWholeListTellsMore) {
   EXPECT_EQ(graded("int a[] = {5, 0.2126, 0.7125, 0.0722, 9};"), Words{});
 }
 
-TEST(Sites, NumbersAssignedInTurnAreAList) {
-  const auto lines = [](const std::string& a, const std::string& b, const std::string& c) {
-    return graded("float " + a + " = 0.2126;\nfloat " + b + " = 0.7125;\nfloat " + c + " = 0.0722;\n");
-  };
-  const Words typo{"luma-709 typo"};
-  EXPECT_EQ(lines("weightR", "weightG", "weightB"), typo);
-  EXPECT_EQ(lines("RED_WEIGHT", "GREEN_WEIGHT", "BLUE_WEIGHT"), typo);
-  EXPECT_EQ(lines("k1", "k2", "k3"), typo);
-  EXPECT_EQ(graded("w.x = 0.2126, w.y = 0.7125, w.z = 0.0722;"), typo);
-  EXPECT_EQ(lines("k1", "k3", "k2"), Words{});
-  EXPECT_EQ(lines("near", "weight", "bias"), Words{});
-  EXPECT_EQ(graded("w.x = 0.2126; f(); w.y = 0.7125; w.z = 0.0722;"), Words{});
-}
-
 TEST(Sites, AListMayBeRoundedToTheSameDecimals) {
   const Words truncated{"luma-709 truncated"};
   EXPECT_EQ(graded("const vec3 w = vec3(0.212, 0.715, 0.072);"), truncated);
   EXPECT_EQ(graded("const vec3 w = vec3(0.213, 0.715, 0.072);"), truncated);
-  EXPECT_EQ(graded("W_A = 0.212;\nW_B = 0.715;\nW_C = 0.072;"), truncated);
   EXPECT_EQ(graded("const vec3 w = vec3(0.212, 0.715, 0.07);"), Words{});   // other decimals
   EXPECT_EQ(graded("const vec3 w = vec3(0.212, 0.715, 0.073);"), Words{});  // another number
   EXPECT_EQ(graded("const vec3 w = vec3(0.072, 0.715, 0.212);"), Words{});  // another order
@@ -61,7 +46,6 @@ TEST(Sites, AListOfRightNumbersMayHaveASlip) {
   EXPECT_EQ(graded("float f(vec3 a) { vec3 d = vec3(0.299, 0.578, 0.114); return dot(a, d); }"), wrong601);
   EXPECT_EQ(graded("w = [0.229, 0.587, 0.114]"), wrong601);
   EXPECT_EQ(graded("vec4 w = vec4(0.299, 0.587, 0.144, 0.0);"), wrong601);
-  EXPECT_EQ(graded("R = 0.299;\nG = 0.587;\nB = 0.141;\n"), wrong601);
   // Arbitrary numbers near the weights, other decimals, no list, another order.
   for (const char* other :
        {"0.299, 0.5, 0.114", "0.3, 0.59, 0.11", "0.299, 0.587, 0.9", "0.299, 0.587, 0.2126",
@@ -105,37 +89,6 @@ TEST(Sites, InATableOfNumbersAreOnlyCounted) {
   EXPECT_EQ(skipped.in_tables, 1U);
   // A statement behind the table is another list.
   EXPECT_EQ(graded(list(70) + "\nvec3 w = vec3(0.2126, 0.7125, 0.0722);"), Words{"luma-709 typo"});
-}
-
-TEST(Sites, AColumnOfAMatrixIsInOrder) {
-  EXPECT_EQ(graded("mat3(0.2126, -0.09991, 0.615,\n 0.7152, -0.33609, -0.55861,\n 0.0722, 0.436, -0.05639);"),
-            Words{"luma-709 right"});
-  EXPECT_EQ(graded("{{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.1192}, {0.1805, 0.0722, 0.9505}}"),
-            Words{"luma-709 right"});
-  EXPECT_EQ(graded("mat3x3<f32>(vec3<f32>(0.2126, -.09991, .615), vec3<f32>(0.7152, -.33609,-.55861),\n"
-                   "vec3<f32>(0.0722, .426, -.05639));"),
-            Words{"luma-709 right"});
-  EXPECT_EQ(graded("k = {0.2126, a - 0.09991, 0.615, 0.7152, a - 0.33609, 0.55861, 0.0722};"), Words{});
-  // Another distance, another order, and no list.
-  EXPECT_EQ(graded("mat3(0.2126, -0.09991, 0.615, -0.33609, 0.7152, -0.55861, 0.0722, 0.436, -0.05639);"),
-            Words{});
-  EXPECT_EQ(graded("mat3(0.7152, -0.09991, 0.615, 0.2126, -0.33609, -0.55861, 0.0722, 0.436, -0.05639);"),
-            Words{});
-  EXPECT_EQ(graded("x = 0.2126 - 0.09991 * 0.615 * 0.7152 - 0.33609 - 0.55861 * 0.0722;"), Words{});
-}
-
-TEST(Sites, TwoNumbersMayHaveAUsualSlipInTheForm) {
-  const auto sum = [](const std::string& r, const std::string& g, const std::string& b) {
-    return graded("float f() { return " + r + " * c.r + " + g + " * c.g + " + b + " * c.b; }");
-  };
-  const Words wrong{"luma-601 wrong"};
-  EXPECT_EQ(sum("0.229", "0.587", "0.144"), wrong);
-  EXPECT_EQ(sum("0.299", "0.578", "0.141"), wrong);
-  EXPECT_EQ(sum("0.144", "0.587", "0.229"), wrong);  // from blue to red
-  EXPECT_EQ(sum("0.259", "0.587", "0.174"), Words{});
-  EXPECT_EQ(sum("0.229", "0.578", "0.144"), Words{});  // nothing is right
-  EXPECT_EQ(graded("vec3 w = vec3(0.229, 0.587, 0.144);"), Words{});
-  EXPECT_EQ(graded("float f() { return 0.229 * a + 0.587 * b * (c + 0.144); }"), Words{});
 }
 
 TEST(Sites, AConstantThatComesAgainBeginsTheNextSite) {
@@ -185,24 +138,6 @@ TEST(Sites, ANumberThatComesAgainIsNoOther) {
             (Words{"fresnel-one-term right", "fresnel-one-term right"}));
 }
 
-TEST(Sites, FactorsOfTheNumbersAreNoOthers) {
-  const std::string list = "k = {0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14};";
-  EXPECT_EQ(graded(list), Words{"aces-narkowicz-five right"});
-  // The same numbers beside, not as factors.
-  std::string others = list;
-  for (std::size_t at = others.find(" * "); at != std::string::npos; at = others.find(" * "))
-    others.replace(at, 3, ", ");
-  EXPECT_EQ(graded(others), Words{});
-}
-
-TEST(Sites, TheWordsOfTheIdTellWithExactDigits) {
-  EXPECT_EQ(graded("cosineLobe.Sharpness = 2.133;\ncosineLobe.Amplitude = 1.17;"),
-            Words{"cosine-lobe right"});
-  EXPECT_EQ(graded("lobe.Sharpness = 2.133;\nlobe.Amplitude = 1.17;"), Words{});
-  EXPECT_EQ(graded("cosineLobe.Sharpness = 2.123;\ncosineLobe.Amplitude = 1.17;"), Words{});
-  EXPECT_EQ(graded("cosineLobe.Sharpness = 2.133;"), Words{});
-}
-
 TEST(Sites, EndWithTheirFunction) {
   const std::string first = "vec3 f() { return 0.0245786 + 0.000090537; }\n",
                     second = "vec3 g() { return 0.983729 + 0.4329510; }\n";
@@ -212,34 +147,10 @@ TEST(Sites, EndWithTheirFunction) {
   EXPECT_EQ(lint_text("vec3 f() { return 0.0245786 + 0.000090537\n + 0.983729 + 0.4329510; }").size(), 1u);
 }
 
-TEST(Sites, ARoundedNumberMayBeMistyped) {
-  EXPECT_EQ(graded("float4(1.5707288, -0.2121144, 0.0742610, -0.018792)"), Words{"acos-cubic typo"});
-  EXPECT_EQ(graded("float4(1.5707288, -0.2121144, 0.0742610, -0.016792)"), Words{"acos-cubic right"});
-  // The others do not tell enough.
-  EXPECT_EQ(graded("float2(0.0742610, -0.018792)"), Words{});
-}
-
 TEST(Sites, SeveralShiftedNumbersAreOtherUnits) {
   EXPECT_EQ(
       graded("u = (0.860117757 + 1.54118254 * t + 1.28641212 * t*t)/(1 + 8.42420235 * t + 7.08145163 * t*t)"),
       Words{"planck-u right"});
-}
-
-// Kang's cubic of kelvin: only the number with a wrong digit is named, whether it is in other units or not.
-TEST(Sites, ASlipAmongOtherUnitsIsFound) {
-  const auto wrong = [](const std::string& thousand, const std::string& one) {
-    const auto sites =
-        lint_text("x = -0.2661239e9/(T*T*T) - 0.2343580e6/(T*T) + " + thousand + "/T + " + one);
-    Words constants;
-    if (sites.size() != 1 || sites[0].effect.absolute.magnitude > 1e-4) return constants;
-    for (const LintedNumber& number : sites[0].numbers)
-      if (number.grade != Grade::right) constants.push_back(number.published);
-    return constants;
-  };
-  EXPECT_EQ(wrong("0.8776956e3", "0.179910"), Words{});
-  EXPECT_EQ(wrong("0.8776956e3", "0.179901"), Words{"0.179910"});
-  EXPECT_EQ(wrong("0.8776965e3", "0.179910"), Words{"0.8776956"});
-  EXPECT_EQ(wrong("877.6965", "0.179910"), Words{"0.8776956"});
 }
 
 // The encoder's threshold is a mistake in a decoder, but not if it stands in an encoder above one.
