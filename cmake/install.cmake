@@ -33,9 +33,13 @@ if(TARGET shadefit)
   # The command looks for them beside itself, in ../share.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/shadefit COMPONENT command
     FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
-  # The command writes its own completions, each time it is linked.
-  set(made ${PROJECT_BINARY_DIR}/completion/shadefit)
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/completion)
-  add_custom_command(TARGET shadefit POST_BUILD COMMAND shadefit --completion bash > ${made} BYPRODUCTS ${made})
-  install(FILES ${made} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
+  # The command writes its own manual page and completions, each time it is linked.
+  foreach(page IN ITEMS man=${CMAKE_INSTALL_MANDIR}/man1/shadefit.1 bash=${CMAKE_INSTALL_DATADIR}/bash-completion/completions/shadefit
+      zsh=${CMAKE_INSTALL_DATADIR}/zsh/site-functions/_shadefit)
+    string(REGEX MATCH "^([a-z]+)=(.*)/([^/]+)$" page "${page}")
+    set(made ${PROJECT_BINARY_DIR}/completion/${CMAKE_MATCH_1}/${CMAKE_MATCH_3})
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/completion/${CMAKE_MATCH_1})
+    add_custom_command(TARGET shadefit POST_BUILD COMMAND shadefit --completion ${CMAKE_MATCH_1} > ${made} BYPRODUCTS ${made})
+    install(FILES ${made} DESTINATION ${CMAKE_MATCH_2} COMPONENT command)
+  endforeach()
 endif()

@@ -122,10 +122,7 @@ Outcome parse_and_run(const std::vector<std::string>& given, const Checkpoint& c
     return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), given);
   const std::string& first = given.front();
   if (first == "--version") return {0, app.version() + "\n", ""};
-  if (first == "--completion" && given.size() == 2) {
-    if (given[1] != "bash") throw UserError(fmt::format("--completion '{}' must be bash", given[1]));
-    return {0, bash_completion(app), ""};
-  }
+  if (first == "--completion" && given.size() == 2) return {0, completion(app, given[1]), ""};
   const bool is_help = first == "help" || asks_for_help(first);
   if (is_help && given.size() == 1) return {0, help_text(app, app), ""};
   if (is_help && given.size() == 2 && !asks_for_help(given[1]))

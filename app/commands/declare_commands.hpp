@@ -8,8 +8,8 @@
 #include "app/output/progress.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// All commands and options of `shadefit`. The help and the completions are generated from these
-/// declarations.
+/// All commands and options of `shadefit`. The help, the manual page and the completions are generated from
+/// these declarations.
 namespace shadefit {
 
 /// The environment of a command, and the command that was parsed.
@@ -23,7 +23,8 @@ struct Call {
 /// Declares the commands. Parsing arguments then sets `call.run` to the command that they name.
 void declare_commands(CLI::App& app, Call& call);
 
-/// The script that completes the commands, options and ids of `app` in bash.
-std::string bash_completion(const CLI::App& app);
+/// The script that completes the commands, options and ids of `app` in "bash" or "zsh"; or the manual page,
+/// for "man". Throws UserError for any other word.
+std::string completion(const CLI::App& app, const std::string& shell);
 
 }  // namespace shadefit

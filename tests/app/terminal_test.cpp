@@ -239,9 +239,20 @@ std::string shell_output(const std::string& line) {
   return text;
 }
 
+bool is_installed(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+}
+
+/// A file with the command's output for that shell.
+std::string completion_file(const TemporaryDirectory& directory, const std::string& shell) {
+  const Outcome made = run_command_line({"--completion", shell});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return directory.file(shell, made.out);
+}
+
 TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
   const TemporaryDirectory directory;
-  const std::string file = directory.file("bash", run_command_line({"--completion", "bash"}).out);
+  const std::string file = completion_file(directory, "bash");
   const auto completed = [&](const std::string& line) {
     const std::string script = "source '" + file + "'; COMP_WORDS=(" + line +
                                "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _shadefit; echo ${COMPREPLY[@]}";
@@ -260,6 +271,31 @@ TEST(Completion, BashCompletesCommandsOptionsValuesAndIds) {
   EXPECT_EQ(completed("shadefit bench --only phong-"), "phong-1\n") << "the others are not timed";
   EXPECT_EQ(completed("shadefit fit --round b"), "bfloat16\n");
   EXPECT_EQ(completed("shadefit fit sg-offset --exponent 5"), "\n") << "a number of the user";
+}
+
+TEST(Completion, ZshReadsIt) {
+  if (!is_installed("zsh")) GTEST_SKIP() << "without zsh: package zsh";
+  const TemporaryDirectory directory;
+  EXPECT_EQ(shell_output("zsh -n '" + completion_file(directory, "zsh") + "'"), "");
+}
+
+TEST(Completion, TheManualPageHasEveryOption) {
+  const std::string page = run_command_line({"--completion", "man"}).out;
+  for (const std::string& command : commands) {
+    EXPECT_NE(page.find("\n.SS \\&" + command), std::string::npos) << command;
+    for (const std::string& line : lines_of(run_command_line({"help", command}).out)) {
+      if (!line.starts_with("  --")) continue;
+      std::string name = words_of_line(line).front();
+      for (std::size_t i = 0; (i = name.find('-', i)) != std::string::npos; i += 2) name.insert(i, 1, '\\');
+      EXPECT_NE(page.find("\\fB\\&" + name), std::string::npos) << name;
+    }
+  }
+}
+
+TEST(Completion, GroffTakesTheManualPageWithoutAWarning) {
+  if (!is_installed("groff")) GTEST_SKIP() << "without groff: package groff-base";
+  const TemporaryDirectory directory;
+  EXPECT_EQ(shell_output("groff -man -Tutf8 -ww -z '" + completion_file(directory, "man") + "'"), "");
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ endif()
 # The command comes alone: a part installs its own files and no other's.
 if(PARTS STREQUAL "command")
   file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
-  set(expected bin/shadefit share/bash-completion/completions/shadefit)
+  set(expected bin/shadefit share/bash-completion/completions/shadefit share/man/man1/shadefit.1
+    share/zsh/site-functions/_shadefit)
   file(GLOB_RECURSE studies RELATIVE ${CMAKE_CURRENT_LIST_DIR}/../.. ${CMAKE_CURRENT_LIST_DIR}/../../studies/*.toml ${CMAKE_CURRENT_LIST_DIR}/../../studies/*.csv)
   list(TRANSFORM studies PREPEND share/shadefit/)
   list(APPEND expected ${studies})
