@@ -46,14 +46,6 @@ std::string decimal_above(double value, int digits) {
   return text;
 }
 
-std::string decimal_below(double value, int digits) {
-  const double step = last_place(value, digits);
-  std::string text = decimal(value, digits);
-  for (double fewer = value - step; constant<double>(text) > value; fewer -= step)
-    text = decimal(fewer, digits);
-  return text;
-}
-
 std::string counted(long count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

@@ -22,10 +22,6 @@ std::string decimal(double value, int digits);
 /// bounds.
 std::string decimal_above(double value, int digits);
 
-/// The largest decimal with that many significant digits that is not above the positive `value`: for lower
-/// bounds.
-std::string decimal_below(double value, int digits);
-
 /// "1 fit", "2 fits".
 std::string counted(long count, std::string_view noun);
 
