@@ -24,13 +24,6 @@ bool stays_short(const LintedSite& site, const LintedNumber& number) {
                              [](const LintedNumber& other) { return other.grade > Grade::truncated; });
 }
 
-/// Whether a factor such as "\times 10^{-13}" follows: the published number may include it.
-bool is_before_factor(std::string_view text, std::size_t end) {
-  constexpr std::size_t looked_at = 16;
-  const std::string_view rest = line_at(text.substr(end, looked_at), 0);
-  return rest.find("10^") != std::string_view::npos || rest.find("10**") != std::string_view::npos;
-}
-
 }  // namespace
 
 std::string_view name(FixScope scope) {
@@ -43,7 +36,7 @@ std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view
   const auto rewrite = [&](const NumberCopy& number, std::string_view published) {
     // `v.0` is a member, whatever its digits.
     if (number.offset > 0 && is_of_name(text[number.offset - 1])) return;
-    if (is_before_factor(text, number.offset + number.text.size())) return;
+    if (is_before_power_of_ten(text, number.offset + number.text.size())) return;
     const Fix fix{number.offset, number.text, rewritten(number.text, published)};
     const auto [place, is_new] = by_place.emplace(number.offset, fix);
     if (!is_new && place->second.after != fix.after) place->second.after = number.text;

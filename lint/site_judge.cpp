@@ -80,7 +80,7 @@ class SiteReader {
       if (match->slip.empty()) return match;
       if (!slip && believes_slips()) slip = std::move(match);
     }
-    return slip;
+    return slip ? slip : slip_of_branch();
   }
 
   /// How much of the form the text contains.
@@ -139,25 +139,58 @@ class SiteReader {
     return expressions_in(program, begin - start, end - start, CommentStyle::none, memory_);
   }
 
-  /// Whether the text around the constants of a branch computes that branch: pow((u + a)/b, p). Not one as
-  /// simple as u/s, which is in many formulas.
-  bool reads_branch(std::size_t part) const {
-    constexpr std::size_t least_constants = 2;
-    if (set_.formula.kind() != Symbolic::Kind::choice) return false;
-    KnownSet branch = set_;
-    branch.formula = set_.formula.part(part);
-    const std::set<std::string> names = names_of(branch.formula);
-    std::vector<std::size_t> literals;
+  /// One branch of a choice as a set of its own, with those of its numbers that are at the site.
+  struct Branch {
+    KnownSet set;
     std::vector<double> numbers;
+    std::vector<Symbolic> expressions;  ///< around them
+  };
+
+  /// Empty if the form is not a choice, or if the branch is as simple as u/s, which is in many formulas.
+  std::optional<Branch> branch(std::size_t part) const {
+    constexpr std::size_t least_constants = 2;
+    if (set_.formula.kind() != Symbolic::Kind::choice) return std::nullopt;
+    Branch found{set_, {}, {}};
+    found.set.formula = set_.formula.part(part);
+    const std::set<std::string> names = names_of(found.set.formula);
+    std::vector<std::size_t> literals;
     for (const SiteNumber& number : site_.numbers) {
       if (!names.contains(set_.constants[number.constant].name)) continue;
       literals.push_back(number.literal);
-      numbers.push_back(std::abs(constants_[number.constant]));
+      found.numbers.push_back(std::abs(constants_[number.constant]));
     }
-    return literals.size() >= least_constants &&
-           std::ranges::any_of(
-               expressions(literals.front(), literals.back()),
-               [&](const Symbolic& expression) { return is_form(expression, branch, constants_, numbers); });
+    if (literals.size() < least_constants) return std::nullopt;
+    found.expressions = expressions(literals.front(), literals.back());
+    return found;
+  }
+
+  /// Whether the text around the constants of a branch computes that branch: pow((u + a)/b, p).
+  bool reads_branch(std::size_t part) const {
+    const auto found = branch(part);
+    return found && std::ranges::any_of(found->expressions, [&](const Symbolic& expression) {
+             return is_form(expression, found->set, constants_, found->numbers);
+           });
+  }
+
+  /// The form with a slip in one branch, if the branches are statements of their own.
+  std::optional<ExpressionMatch> slip_of_branch() const {
+    if (!believes_slips()) return std::nullopt;
+    for (const std::size_t part : {std::size_t{2}, std::size_t{3}}) {
+      const auto found = branch(part);
+      if (!found) continue;
+      std::optional<ExpressionMatch> slip;
+      for (const Symbolic& expression : found->expressions) {
+        auto match = match_expression(expression, found->set, constants_, found->numbers, {});
+        if (match && match->slip.empty()) return std::nullopt;
+        if (match && !slip) slip = std::move(match);
+      }
+      if (!slip) continue;
+      std::vector<Symbolic> parts = set_.formula.parts();
+      parts[part] = slip->form;
+      slip->form = set_.formula.with_parts(std::move(parts));
+      return slip;
+    }
+    return std::nullopt;
   }
 
   const ScannedText& text_;

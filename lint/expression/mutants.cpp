@@ -29,6 +29,23 @@ bool is_scaled(const Symbolic& formula) {
   return is_number(formula.part(0)) || is_number(formula.part(1));
 }
 
+/// Whether a formula is a function, or a power, of its first part.
+bool is_applied(const Symbolic& formula) {
+  return formula.kind() == Kind::function || formula.kind() == Kind::real_power;
+}
+
+/// f(x) b as f(x b); the same for each operation.
+void append_moved_into_argument(const Symbolic& operation, std::vector<Symbolic>& others) {
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const Symbolic& function = operation.part(i);
+    if (!is_applied(function)) continue;
+    std::vector<Symbolic> operands = operation.parts(), arguments = function.parts();
+    operands[i] = function.part(0);
+    arguments.front() = operation.with_parts(std::move(operands));
+    others.push_back(function.with_parts(std::move(arguments)));
+  }
+}
+
 /// The slips that may replace an operation.
 std::vector<Symbolic> slips_of(const Symbolic& formula) {
   std::vector<Symbolic> others;
@@ -83,6 +100,8 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
     case Kind::integral:
       break;
   }
+  if (is_product(formula) || formula.kind() == Kind::add || formula.kind() == Kind::subtract)
+    append_moved_into_argument(formula, others);
   return others;
 }
 

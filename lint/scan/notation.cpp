@@ -97,6 +97,12 @@ std::optional<Notation> notation_at(std::string_view text) {
   return number;
 }
 
+bool is_before_power_of_ten(std::string_view text, std::size_t end) {
+  constexpr std::size_t looked_at = 16;
+  const std::string_view rest = line_at(text.substr(end, looked_at), 0);
+  return rest.find("10^") != std::string_view::npos || rest.find("10**") != std::string_view::npos;
+}
+
 std::string rewritten(std::string_view literal, std::string_view published) {
   if (published.starts_with('-') || published.starts_with('+')) published.remove_prefix(1);
   const Notation as = parts_of_number(literal), to = parts_of_number(published);

@@ -28,6 +28,10 @@ bool is_suffix(std::string_view letters);
 /// letters other than a suffix follow, or if it is longer than `most_digits`.
 std::optional<Notation> notation_at(std::string_view text);
 
+/// Whether a factor such as "\times 10^{-13}" follows behind a number that ends there: a published number may
+/// include it.
+bool is_before_power_of_ten(std::string_view text, std::size_t end);
+
 /// The published number, without its sign, in the notation of a literal: with its suffix, with or without a
 /// zero before the point, and with the point at the same place before an exponent. "1.5e-3f" and "0.00142"
 /// give "1.42e-3f". The published one may have a sign.

@@ -8,6 +8,7 @@
 
 #include "lint/scan/functions.hpp"
 #include "lint/scan/lists.hpp"
+#include "lint/scan/notation.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -27,11 +28,18 @@ struct Hit {
   std::size_t set() const { return match.place.set; }
 };
 
-std::vector<Hit> hits_of(std::span<const Literal> literals, const DigitIndex& index) {
+std::vector<Hit> hits_of(const ScannedText& text, const DigitIndex& index) {
+  const std::span<const Literal> literals = text.literals;
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (literals[i].significant < least_digits_alone) continue;
-    for (const NumberMatch& match : index.find(literals[i].digits)) hits.push_back({i, match});
+    for (NumberMatch match : index.find(literals[i].digits)) {
+      // With such a factor the decimal point says nothing.
+      if (match.match == DigitMatch::shifted &&
+          is_before_power_of_ten(text.text, literals[i].offset + literals[i].length))
+        match.match = DigitMatch::same;
+      hits.push_back({i, match});
+    }
   }
   // A number may stand for several constants of a set; the closest comes first.
   std::ranges::stable_sort(
@@ -115,6 +123,7 @@ class SiteFinder {
       if (whole.bits >= telling_bits) site = std::move(whole);
     }
     if (site.bits < least_bits) return;
+    if (site.bits < telling_bits) add_two_slips(site);
     sites_.push_back(std::move(site));
   }
 
@@ -242,6 +251,28 @@ class SiteFinder {
     }
   }
 
+  /// Adds the two missing constants of three digits as the nearest numbers with a usual slip: 0.229 for 0.299
+  /// and 0.144 for 0.114. They are no evidence: only the expression can show that they belong to the site.
+  void add_two_slips(Site& site) {
+    std::vector<std::size_t> missing = missing_constants(set_of(site), site);
+    std::erase_if(missing, [&](std::size_t c) { return set_of(site).constants[c].is_common; });
+    if (missing.size() != 2) return;
+    Site whole = site;
+    for (const std::size_t constant : missing) {
+      const Digits digits = published(site, constant);
+      if (digits.text.size() != least_digits_alone) return;
+      std::optional<std::size_t> nearest;
+      for (const std::size_t i : free_near(site, most_literals)) {
+        if (is_taken(whole, i) || !is_in_function_of(site, i) || !is_usual_slip(at(i).digits, digits))
+          continue;
+        if (!nearest || distance_to(site, i) < distance_to(site, *nearest)) nearest = i;
+      }
+      if (!nearest) return;
+      insert(whole, {*nearest, constant, DigitMatch::edited});
+    }
+    site = std::move(whole);
+  }
+
   const ScannedText& text_;
   const std::vector<KnownSet>& sets_;
   std::optional<std::vector<std::size_t>> functions_;  ///< where they begin, computed when first needed
@@ -265,7 +296,7 @@ std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site
 
 std::vector<Site> sites_of(const ScannedText& text, const std::vector<KnownSet>& sets,
                            const DigitIndex& index, const ReadSite& read) {
-  const std::vector<Hit> hits = hits_of(text.literals, index);
+  const std::vector<Hit> hits = hits_of(text, index);
   if (hits.empty()) return {};
   SiteFinder finder(text, sets);
   for (std::size_t i = 0, end = 0; i < hits.size(); i = end) {

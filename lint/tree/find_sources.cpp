@@ -217,10 +217,13 @@ class Search {
     }
     const auto& wanted = options_.languages;
     if (!wanted.empty() && !contains(wanted, named->language)) return;
-    if (is_ignored(place, false, list))
+    if (is_ignored(place, false, list)) {
       ++tree_.skipped.ignored;
-    else
+    } else if (in_small_letters(name).find(".min.") != std::string::npos) {
+      ++tree_.skipped.minified;
+    } else {
       add_file(place, *named, is_regular);
+    }
   }
 
   /// A file of an unknown language is read as if it were C: most languages write numbers and comments alike.

@@ -81,10 +81,12 @@ TEST_F(SourceTreeTest, ReadsNamedFilesWhateverTheyAre) {
 }
 
 TEST_F(SourceTreeTest, LeavesOutTheCodeOfOthersUnlessItIsNamed) {
-  files({"a.h", "external/b.h", "src/ThirdParty/lib/c.h", "node_modules/d.js", ".git/e.h", "src/external.h"});
+  files({"a.h", "external/b.h", "src/ThirdParty/lib/c.h", "node_modules/d.js", "lib.min.js", ".git/e.h",
+         "src/external.h"});
   const SourceTree tree = find_sources({"."}, {});
   EXPECT_EQ(names_of(tree), (Names{"a.h", "src/external.h"}));
   EXPECT_EQ(tree.skipped.vendored, 3U);
+  EXPECT_EQ(tree.skipped.minified, 1U);
   EXPECT_EQ(find_sources({".", "src"}, {}).skipped.vendored, 3U) << "each once";
   EXPECT_EQ(found({"src/ThirdParty"}), Names{"src/ThirdParty/lib/c.h"});
 }
