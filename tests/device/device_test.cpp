@@ -64,20 +64,21 @@ std::size_t without_bound(std::string_view form) {
   return form == "lobe-exp2-log2" ? subnormals + 1 : 0;
 }
 
-// Every half in [0, 1] through every form of one cosine.
+// Every half in [0, 1] through every form of one cosine, each with its last set of constants.
 TEST_F(Device, RunsEveryHalfWithinTheBound) {
   if (!vulkan().info().has_half) return;
   std::vector<float> halves;
   for (std::uint16_t bits = 0; bits <= 0x3c00; ++bits)
     halves.push_back(static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(bits)));
   const forms::Catalogue catalogue = forms::catalogue();
-  const bench::FormsToTime all = bench::catalogue_forms(catalogue, {}, bench::Exp2Kinds::library);
-  for (const bench::FormToTime& form : all.forms) {
-    if (forms::target_of(catalogue, form.row.target).arguments != forms::Arguments::cosine) continue;
-    Evaluator evaluator(vulkan(), compiler_, form.function, ShaderPrecision::float16);
+  for (const forms::FormEntry& form : catalogue.forms) {
+    if (form.arguments != forms::Arguments::cosine) continue;
+    const ShaderFunction function =
+        bench::function_of(forms::target_of(catalogue, form.target), form, form.constants.back());
+    Evaluator evaluator(vulkan(), compiler_, function, ShaderPrecision::float16);
     const auto results = evaluator.of(halves);
-    const FormInDouble in_double(form.function, ShaderPrecision::float16);
-    FormBound<HalfFormat> bound(form.function, usual_gpu);
+    const FormInDouble in_double(function, ShaderPrecision::float16);
+    FormBound<HalfFormat> bound(function, usual_gpu);
     std::size_t unbounded = 0, beyond = 0;
     for (std::size_t i = 0; i < halves.size(); ++i) {
       const auto c = static_cast<double>(halves[i]);
@@ -91,8 +92,8 @@ TEST_F(Device, RunsEveryHalfWithinTheBound) {
         ++beyond;
       }
     }
-    EXPECT_EQ(unbounded, without_bound(form.row.form)) << form.row.label;
-    EXPECT_EQ(beyond, 0U) << form.row.label;
+    EXPECT_EQ(unbounded, without_bound(form.id)) << form.id;
+    EXPECT_EQ(beyond, 0U) << form.id;
   }
 }
 
