@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sstream>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
@@ -42,7 +45,13 @@ std::string advice_of(const StudyComparison& comparison, bool is_one_of_several,
   for (const auto& [constant, value] : comparison.study.given)
     if (is_one_of_several) words.insert(words.end(), {"--given", constant + "=" + value});
   words.insert(words.end(), {"--better", "--lang", "glsl"});
-  return advice_text(comparison, shell_text(words));
+  const std::string advice = advice_text(comparison, shell_text(words));
+  if (options.terminal.width == 0) return advice;
+  std::string lines;
+  std::istringstream stream(advice);
+  for (std::string line; std::getline(stream, line);)
+    lines += fmt::format("{}\n", fmt::join(folded(line, options.terminal.width), "\n"));
+  return lines;
 }
 
 /// One line for each fit that did not converge.

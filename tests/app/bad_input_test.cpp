@@ -113,7 +113,7 @@ TEST(BadInput, Targets) {
                  "--ior '1.5' does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"fit", "sg-offset-limit", "--target", "bogus"},
                  "--target 'bogus' is unknown: it must be one of schlick, exact; a formula needs a --form");
-  expect_refusal({"fit", "phong-blinn-gotanda", "--ior", "-3"},
+  expect_refusal({"fit", "phong-blinn", "--ior", "-3"},
                  "--ior '-3' does not apply: phong-blinn is not a Fresnel form");
   expect_refusal({"fit", "sg-offset", "--extinction", "2"},
                  "--extinction '2' does not apply: sg-offset is not a Fresnel form");
