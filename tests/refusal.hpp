@@ -6,12 +6,12 @@
 
 namespace shadefit::testing {
 
-/// The message of `work`'s UserError; empty if it throws none.
-template <class Work>
+/// The message of the Refusal that `work` throws; empty if it throws none.
+template <class Refusal = UserError, class Work>
 std::string refusal(const Work& work) {
   try {
     work();
-  } catch (const UserError& error) {
+  } catch (const Refusal& error) {
     return error.what();
   }
   return {};

@@ -14,6 +14,7 @@
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/any_expression.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -29,12 +30,12 @@ double value_of(std::string_view text) {
 }
 
 std::string error_of(std::string_view text) {
-  try {
-    parse(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
+  return testing::refusal<std::invalid_argument>([&] { parse(text); });
+}
+
+/// Of a text that may have other names.
+std::string error_of(std::string_view text, const FormulaNames& names) {
+  return testing::refusal<std::invalid_argument>([&] { read_formula(text, names); });
 }
 
 TEST(ParseFormula, ReadsAsPeopleMeanIt) {
@@ -84,7 +85,7 @@ TEST(ParseFormula, SaysWhereItStopped) {
     EXPECT_NE(error_of(text).find("expected"), std::string::npos) << text;
   }
   const std::string nul("a\0b", 3);
-  EXPECT_NE(error_of(nul), "no error");
+  EXPECT_NE(error_of(nul), "");
 }
 
 // Expressions of Python, and numbers that shadefit prints.
@@ -196,8 +197,8 @@ TEST(ParseFormula, ReadsPastedLines) {
             "place 2");
   EXPECT_EQ(error_of("(float)-a^2"),
             "formula '(float)-a^2': expected parentheses around the base of the power at place 10");
-  EXPECT_NE(error_of("1.u"), "no error");
-  EXPECT_NE(error_of("1ul"), "no error");
+  EXPECT_NE(error_of("1.u"), "");
+  EXPECT_NE(error_of("1ul"), "");
   std::string casts;
   for (int i = 0; i < 500; ++i) casts += "(half)";
   EXPECT_NE(error_of(casts + "a").find("no more than 100 casts"), std::string::npos);
@@ -205,16 +206,12 @@ TEST(ParseFormula, ReadsPastedLines) {
 
 // In one of these a name before u decides, in the other it may be a parameter.
 TEST(ReadFormula, TakesUAsASuffixWhereItIsNoName) {
-  const auto read = [](std::string_view text, const FormulaNames& names) -> std::string {
-    try {
-      return to_text(read_formula(text, names).formula);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
+  const auto read = [](std::string_view text, const FormulaNames& names) {
+    return to_text(read_formula(text, names).formula);
   };
   EXPECT_EQ(read("2u x", {.variables = {"x"}}), "2 x");
   EXPECT_EQ(read("2u x", {.variables = {"x", "u"}}), "2 u x");
-  EXPECT_EQ(read("a + 2u x", {.variables = {"x"}, .takes_parameters = true}),
+  EXPECT_EQ(error_of("a + 2u x", {.variables = {"x"}, .takes_parameters = true}),
             "formula 'a + 2u x': expected no suffix, or a '*': in a form 2u may be 2*u at place 5");
 }
 
@@ -238,12 +235,9 @@ TEST(ParseFormula, RefusesVectorsByName) {
             "formula 'a%2': expected an operator or the end, not '%' (it is not part of the language: mod "
             "and fmod are) at place 2");
   EXPECT_NE(error_of("max(a % 2, b)").find("not '%'"), std::string::npos);
-  try {
-    read_formula("k float3(x)", {.variables = {"x"}, .takes_parameters = true});
-    ADD_FAILURE() << "in a form too";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find(vector), std::string::npos) << error.what();
-  }
+  EXPECT_NE(error_of("k float3(x)", {.variables = {"x"}, .takes_parameters = true}).find(vector),
+            std::string::npos)
+      << "in a form too";
 }
 
 // The functions that round, by C's own, in double and in 50 digits.
@@ -291,14 +285,7 @@ TEST(ReadFormula, FindsParametersAndPutsDefinitionsIn) {
       .variables = {"x"},
       .definitions = {{"g", {{"t"}, parse_formula("t + 1", t)}}, {"half", {{}, parse_formula("1/2", {})}}},
       .takes_parameters = true};
-  const auto refusal = [&](std::string_view text) -> std::string {
-    try {
-      read_formula(text, names);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "none";
-  };
+  const auto refusal = [&](std::string_view text) { return error_of(text, names); };
   const ReadFormula read = read_formula("sqrt(1-x)(b + a x) + k(x) + b half", names);
   EXPECT_EQ(read.parameters, (std::vector<std::string>{"b", "a", "k"}));
   EXPECT_EQ(to_text(read.formula), "sqrt(1 - x) (b + a x) + k x + b (1/2)");
@@ -308,21 +295,14 @@ TEST(ReadFormula, FindsParametersAndPutsDefinitionsIn) {
   EXPECT_EQ(refusal("f0(x)"),
             "formula 'f0(x)': expected a function before '(', not 'f0'; a product needs a '*' or a space at "
             "place 1");
-  EXPECT_EQ(refusal("f0 (x)"), "none");
+  EXPECT_EQ(refusal("f0 (x)"), "");
   EXPECT_EQ(refusal("g(x, x)"), "formula 'g(x, x)': expected 1 argument of 'g' at place 2");
 }
 
 // With a list of parameters no other name is one.
 TEST(ReadFormula, KeepsToAListOfParameters) {
   const FormulaNames names{.variables = {"x"}, .takes_parameters = true, .parameters = {"b", "scale"}};
-  const auto refusal = [&](std::string_view text) -> std::string {
-    try {
-      read_formula(text, names);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "none";
-  };
+  const auto refusal = [&](std::string_view text) { return error_of(text, names); };
   EXPECT_EQ(read_formula("scale x + b", names).parameters, (std::vector<std::string>{"scale", "b"}));
   EXPECT_EQ(refusal("scale x + c"),
             "formula 'scale x + c': expected one of x, b, scale, pi, ln2 and the functions, not 'c' at place "
@@ -401,22 +381,14 @@ std::string sum_of(std::size_t terms) {
 
 // Functions on formulas are recursive, so length and depth have limits.
 TEST(ParseFormula, LengthAndDepthHaveAnEnd) {
-  const auto refusal = [](const std::string& text) -> std::string {
-    try {
-      parse(text);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "none";
-  };
   EXPECT_EQ(parse(sum_of(deepest_formula)).depth(), deepest_formula);
   EXPECT_NE(
-      refusal(sum_of(deepest_formula + 1)).find("expected no more than 200 operations inside one another"),
+      error_of(sum_of(deepest_formula + 1)).find("expected no more than 200 operations inside one another"),
       std::string::npos);
-  EXPECT_EQ(refusal(std::string(longest_formula - 1, ' ') + "a"), "none");
-  EXPECT_EQ(refusal(std::string(longest_formula, ' ') + "a"),
+  EXPECT_EQ(error_of(std::string(longest_formula - 1, ' ') + "a"), "");
+  EXPECT_EQ(error_of(std::string(longest_formula, ' ') + "a"),
             "the formula is 4001 characters long: at most 4000");
-  EXPECT_EQ(refusal(sum_of(500000)), "the formula is 1000001 characters long: at most 4000");
+  EXPECT_EQ(error_of(sum_of(500000)), "the formula is 1000001 characters long: at most 4000");
   // Every way to nest: none gets deeper than the limit.
   const auto nested = [](const std::string& before, const std::string& after, std::size_t times) {
     std::string text = "a";
@@ -429,7 +401,7 @@ TEST(ParseFormula, LengthAndDepthHaveAnEnd) {
     std::string text = nested(before, after, 98);
     ASSERT_LE(text.size(), longest_formula);
     EXPECT_LE(parse(text).depth(), deepest_formula) << text;
-    EXPECT_NE(refusal(nested(before, after, 120)), "none") << before;
+    EXPECT_NE(error_of(nested(before, after, 120)), "") << before;
   }
 }
 

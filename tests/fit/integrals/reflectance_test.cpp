@@ -30,7 +30,7 @@ const ReflectanceCurve& curve(std::string_view id, double exponent) {
   throw std::out_of_range("no such curve");
 }
 
-// Written over l around n and integrated in 40 digits: see make_reflectance_references.cpp.
+// Written over l around n and integrated in 40 digits: see make_reflectance_references.py.
 TEST(Reflectance, BothRulesAgreeWithTheReferences) {
   const auto table =
       parse_csv(read_file(SHADEFIT_SOURCE_DIR "/tests/references/reflectance.csv"), "reflectance.csv");

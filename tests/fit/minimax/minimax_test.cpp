@@ -39,7 +39,7 @@ Metric metric_of(const std::string& error, const std::string& extra) {
   return metric;
 }
 
-// Newton on the whole stationary system in 60 digits: tests/references/make_minimax_references.cpp.
+// Newton on the whole stationary system in 60 digits: tests/references/make_minimax_references.py.
 TEST(Minimax, HasThirteenDigitsOfEveryReference) {
   const std::string file = SHADEFIT_SOURCE_DIR "/tests/references/minimax.csv";
   const auto rows = parse_csv(read_file(file), "minimax.csv").rows;

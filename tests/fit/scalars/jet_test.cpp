@@ -13,7 +13,7 @@ using testing::is_close;
 /// First and second derivative of f at x by nested Jets against central differences in 100 digits: with h =
 /// 1e-20 they are right to about 40 and 30 digits.
 template <class F>
-void expect_derivatives(const std::string& what, const F& f, double x) {
+void expect_derivatives(const std::string& what, double x, const F& f) {
   using Inner = ceres::Jet<double, 1>;
   using Outer = ceres::Jet<Inner, 1>;
   Outer jet(Inner(x, 0));
@@ -34,59 +34,37 @@ void expect_derivatives(const std::string& what, const F& f, double x) {
 
 TEST(Jet, DerivativesOfTheVocabulary) {
   for (const double x : {0.125, 0.3, 0.7, 2.5}) {
-    expect_derivatives(
-        "exp", [](const auto& t) { return exp(t); }, x);
-    expect_derivatives(
-        "exp2", [](const auto& t) { return exp2(t); }, x);
-    expect_derivatives(
-        "log", [](const auto& t) { return log(t); }, x);
-    expect_derivatives(
-        "log2", [](const auto& t) { return log2(t); }, x);
-    expect_derivatives(
-        "expm1", [](const auto& t) { return expm1(t); }, x);
-    expect_derivatives(
-        "log1p", [](const auto& t) { return log1p(t); }, x);
-    expect_derivatives(
-        "sqrt", [](const auto& t) { return sqrt(t); }, x);
-    expect_derivatives(
-        "sin", [](const auto& t) { return sin(t); }, x);
-    expect_derivatives(
-        "cos", [](const auto& t) { return cos(t); }, x);
-    expect_derivatives(
-        "atan", [](const auto& t) { return atan(t); }, x);
-    expect_derivatives(
-        "tan", [](const auto& t) { return tan(t); }, x);
-    expect_derivatives(
-        "sinh", [](const auto& t) { return sinh(t); }, x);
-    expect_derivatives(
-        "cosh", [](const auto& t) { return cosh(t); }, x);
-    expect_derivatives(
-        "tanh", [](const auto& t) { return tanh(t); }, x);
-    expect_derivatives(
-        "erf", [](const auto& t) { return erf(t); }, x);
-    expect_derivatives(
-        "atan2", [](const auto& t) { return atan2(t * t, t - integer<std::decay_t<decltype(t)>>(1)); }, x);
-    expect_derivatives(
-        "abs", [](const auto& t) { return abs(t * t - t); }, x);
-    expect_derivatives(
-        "power 5", [](const auto& t) { return power(t, 5); }, x);
-    expect_derivatives(
-        "power -2", [](const auto& t) { return power(t, -2); }, x);
-    expect_derivatives(
-        "power 2.5", [](const auto& t) { return power(t, constant<std::decay_t<decltype(t)>>("2.5")); }, x);
-    expect_derivatives(
-        "t^t", [](const auto& t) { return power(t, t); }, x);
+    expect_derivatives("exp", x, [](const auto& t) { return exp(t); });
+    expect_derivatives("exp2", x, [](const auto& t) { return exp2(t); });
+    expect_derivatives("log", x, [](const auto& t) { return log(t); });
+    expect_derivatives("log2", x, [](const auto& t) { return log2(t); });
+    expect_derivatives("expm1", x, [](const auto& t) { return expm1(t); });
+    expect_derivatives("log1p", x, [](const auto& t) { return log1p(t); });
+    expect_derivatives("sqrt", x, [](const auto& t) { return sqrt(t); });
+    expect_derivatives("sin", x, [](const auto& t) { return sin(t); });
+    expect_derivatives("cos", x, [](const auto& t) { return cos(t); });
+    expect_derivatives("atan", x, [](const auto& t) { return atan(t); });
+    expect_derivatives("tan", x, [](const auto& t) { return tan(t); });
+    expect_derivatives("sinh", x, [](const auto& t) { return sinh(t); });
+    expect_derivatives("cosh", x, [](const auto& t) { return cosh(t); });
+    expect_derivatives("tanh", x, [](const auto& t) { return tanh(t); });
+    expect_derivatives("erf", x, [](const auto& t) { return erf(t); });
+    expect_derivatives("atan2", x,
+                       [](const auto& t) { return atan2(t * t, t - integer<std::decay_t<decltype(t)>>(1)); });
+    expect_derivatives("abs", x, [](const auto& t) { return abs(t * t - t); });
+    expect_derivatives("power 5", x, [](const auto& t) { return power(t, 5); });
+    expect_derivatives("power -2", x, [](const auto& t) { return power(t, -2); });
+    expect_derivatives("power 2.5", x,
+                       [](const auto& t) { return power(t, constant<std::decay_t<decltype(t)>>("2.5")); });
+    expect_derivatives("t^t", x, [](const auto& t) { return power(t, t); });
   }
   for (const double x : {-0.875, -0.25, 0.125, 0.96875}) {
-    expect_derivatives(
-        "asin", [](const auto& t) { return asin(t); }, x);
-    expect_derivatives(
-        "acos", [](const auto& t) { return acos(t); }, x);
+    expect_derivatives("asin", x, [](const auto& t) { return asin(t); });
+    expect_derivatives("acos", x, [](const auto& t) { return acos(t); });
   }
   // both sides of the branch of log1p_remainder, and of zero
   for (const double x : {-0.9, -0.51, -0.49, -0.01, 0.01, 0.49, 0.51, 2.0}) {
-    expect_derivatives(
-        "log1p_remainder", [](const auto& t) { return log1p_remainder(t); }, x);
+    expect_derivatives("log1p_remainder", x, [](const auto& t) { return log1p_remainder(t); });
   }
 }
 
@@ -96,13 +74,13 @@ TEST(Jet, SelectsWithItsDerivatives) {
       using T = std::decay_t<decltype(t)>;
       return select(less(t, constant<T>("0.5")), t * t, integer<T>(1) - t * t * t);
     };
-    expect_derivatives("select", tent, x);
-    expect_derivatives(
-        "min",
-        [](const auto& t) { return min(t * t, power(t, 3) + t / integer<std::decay_t<decltype(t)>>(4)); }, x);
-    expect_derivatives(
-        "max",
-        [](const auto& t) { return max(t * t, power(t, 3) + t / integer<std::decay_t<decltype(t)>>(4)); }, x);
+    expect_derivatives("select", x, tent);
+    expect_derivatives("min", x, [](const auto& t) {
+      return min(t * t, power(t, 3) + t / integer<std::decay_t<decltype(t)>>(4));
+    });
+    expect_derivatives("max", x, [](const auto& t) {
+      return max(t * t, power(t, 3) + t / integer<std::decay_t<decltype(t)>>(4));
+    });
   }
   using Jet = ceres::Jet<double, 1>;
   EXPECT_EQ(positive_part(Jet(-1, 0)).v[0], 0);

@@ -10,6 +10,8 @@
 #include <type_traits>
 
 #include "fit/rounding/lattice.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/scalars/half_result.hpp"
 #include "fit/scalars/multiprecision.hpp"
 
 namespace shadefit {
@@ -22,25 +24,35 @@ double rounded(double x) {
   return static_cast<double>(NarrowResult<Format>::rounded(x));
 }
 
-double bfloat16_of_bits(std::uint16_t bits) {
-  return static_cast<double>(static_cast<float>(Eigen::numext::bit_cast<Eigen::bfloat16>(bits)));
-}
-
 bool is_same(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
 }
 
-// Every bfloat16, every middle between two, and the doubles next to both. A middle goes to the neighbour
-// whose last bit is 0.
-TEST(NarrowResult, OfBfloat16IsTheNearestTiesToEven) {
-  for (std::uint16_t bits = 0; bits < 0x7f80; ++bits) {
-    const double low = bfloat16_of_bits(bits);
-    const double high = bits == 0x7f7f ? 0x1p128 : bfloat16_of_bits(static_cast<std::uint16_t>(bits + 1));
-    const double beyond = bits == 0x7f7f ? infinity : high;
+/// Eigen's number of a format with these bits.
+template <class Number>
+Number of_bits(std::uint32_t bits) {
+  return Eigen::numext::bit_cast<Number>(static_cast<std::uint16_t>(bits));
+}
+
+template <class Number>
+double wide(Number x) {
+  return static_cast<double>(static_cast<float>(x));
+}
+
+// Every number of a format, every middle between two, and the doubles next to both. A middle goes to the
+// neighbour whose last bit is 0.
+template <class Format, class Number>
+void expect_nearest_ties_to_even() {
+  const auto last = static_cast<std::uint32_t>(BinaryLattice<Format>{}.last());
+  for (std::uint32_t bits = 0; bits <= last; ++bits) {
+    const double low = wide(of_bits<Number>(bits));
+    const double high =
+        bits == last ? power_of_two(Format::largest_exponent + 1) : wide(of_bits<Number>(bits + 1));
+    const double beyond = bits == last ? infinity : high;
     const double middle = (low + high) / 2;
     for (const double sign : {1.0, -1.0}) {
       const auto is_rounded_to = [&](double x, double expected) {
-        return is_same(rounded<Bfloat16Format>(sign * x), sign * expected);
+        return is_same(rounded<Format>(sign * x), sign * expected);
       };
       EXPECT_TRUE(is_rounded_to(low, low)) << bits;
       EXPECT_TRUE(is_rounded_to(middle, bits % 2 == 0 ? low : beyond)) << bits;
@@ -48,7 +60,29 @@ TEST(NarrowResult, OfBfloat16IsTheNearestTiesToEven) {
       EXPECT_TRUE(is_rounded_to(std::nextafter(middle, infinity), beyond)) << bits;
     }
   }
-  EXPECT_TRUE(std::isnan(rounded<Bfloat16Format>(std::nan(""))));
+  EXPECT_TRUE(is_same(rounded<Format>(infinity), infinity));
+  EXPECT_TRUE(is_same(rounded<Format>(-1e-300), -0.0));
+  EXPECT_TRUE(std::isnan(rounded<Format>(std::nan(""))));
+}
+
+TEST(NarrowResult, IsTheNearestTiesToEven) {
+  expect_nearest_ties_to_even<HalfFormat, Eigen::half>();
+  expect_nearest_ties_to_even<Bfloat16Format, Eigen::bfloat16>();
+}
+
+TEST(NarrowResult, TakesAnOperandAsItIs) {
+  const HalfResult cosine(1 - 0x1p-20);  // no half: it would be 1
+  EXPECT_EQ(static_cast<double>(cosine), 1 - 0x1p-20);
+  EXPECT_EQ(static_cast<double>(cosine - HalfResult(1)), -0x1p-20) << "the result is a half";
+  EXPECT_EQ(static_cast<double>(cosine * HalfResult(1)), 1);
+}
+
+TEST(RoundToHalf, IsRoundedOnce) {
+  for (int i = -1100; i < 1020; ++i)
+    for (const double m :
+         {1.0, 1 + 0x1p-11, 1 + 0x1p-11 + 0x1p-40, 1 + 0x1p-11 - 0x1p-40, 1.7182818, 2 - 0x1p-12})
+      EXPECT_TRUE(is_same(wide(round_to_half(std::ldexp(m, i))), rounded<HalfFormat>(std::ldexp(m, i))))
+          << m << i;
 }
 
 TEST(NarrowResult, OfFloatIsTheConversionOfTheProcessor) {
@@ -85,24 +119,34 @@ TEST(NarrowResult, CutsOffTowardsZero) {
   expect_cut<Bfloat16Format>();
 }
 
-// Eigen computes with bfloat16 as float and rounds that, for one operation the same.
-TEST(NarrowResult, OfBfloat16IsTheArithmeticOfEigen) {
-  using T = NarrowResult<Bfloat16Format>;
+// Eigen computes with these formats as float and rounds that, for one operation the same. For functions of
+// halves Eigen's scalar here rounds the double once.
+template <class Format, class Number>
+void expect_arithmetic_of_eigen() {
+  using T = NarrowResult<Format>;
   for (std::uint32_t i = 0; i < 0x10000; i += 7) {
     for (std::uint32_t j = 0; j < 0x10000; j += 1009) {
-      const auto a = Eigen::numext::bit_cast<Eigen::bfloat16>(static_cast<std::uint16_t>(i));
-      const auto b = Eigen::numext::bit_cast<Eigen::bfloat16>(static_cast<std::uint16_t>(j));
-      const T x(static_cast<double>(static_cast<float>(a))), y(static_cast<double>(static_cast<float>(b)));
-      if (std::isnan(static_cast<double>(x)) || std::isnan(static_cast<double>(y))) continue;
-      const auto agrees = [&](T ours, Eigen::bfloat16 theirs) {
-        const auto wide = static_cast<double>(static_cast<float>(theirs));
-        return static_cast<double>(ours) == wide ||
-               (std::isnan(wide) && std::isnan(static_cast<double>(ours)));
+      const Number a = of_bits<Number>(i), b = of_bits<Number>(j);
+      const T x(wide(a)), y(wide(b));
+      const auto agrees = [&](T ours, Number eigens) {
+        const auto computed = static_cast<double>(ours);
+        return computed == wide(eigens) || (std::isnan(computed) && std::isnan(wide(eigens)));
       };
       ASSERT_TRUE(agrees(x + y, a + b)) << i << " " << j;
       ASSERT_TRUE(agrees(x - y, a - b)) << i << " " << j;
       ASSERT_TRUE(agrees(x * y, a * b)) << i << " " << j;
     }
+  }
+}
+
+TEST(NarrowResult, IsTheArithmeticOfEigen) {
+  expect_arithmetic_of_eigen<HalfFormat, Eigen::half>();
+  expect_arithmetic_of_eigen<Bfloat16Format, Eigen::bfloat16>();
+  for (int i = 1; i <= 400; ++i) {
+    const Eigen::half x = round_to_half(i * 0.37), y = round_to_half(1477.0);
+    EXPECT_EQ(static_cast<double>(HalfResult(wide(x)) / HalfResult(wide(y))), wide(x / y));
+    EXPECT_EQ(static_cast<double>(log2(HalfResult(wide(x)))), wide(log2(x)));
+    EXPECT_EQ(static_cast<double>(exp2(-HalfResult(wide(x)))), wide(exp2(-x)));
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -42,12 +42,7 @@ TEST(MeasuredRows, ReadsWhatOtherToolsWrite) {
 }
 
 std::string refusal_of_rows(const std::string& text) {
-  try {
-    read_rows(text);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "none";
+  return testing::refusal([&] { read_rows(text); });
 }
 
 TEST(MeasuredRows, AnswersBadInputWithOneLine) {

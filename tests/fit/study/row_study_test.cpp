@@ -1,15 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 // Studies whose target is measured rows.
 namespace shadefit {
@@ -325,60 +326,38 @@ TEST(RowStudy, TakesARelativeErrorAndAnyWeight) {
 }
 
 TEST(RowStudy, AnswersBadInputWithOneLine) {
-  const auto refusal = [](const std::function<void(Study&)>& change) -> std::string {
-    Study study = study_of_rows("a + b x", measured_line, "1/sigma");
-    change(study);
-    try {
-      fit_of_rows(study);
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "none";
+  const Study good = study_of_rows("a + b x", measured_line, "1/sigma");
+  const auto fault_of = [](const Study& study) { return testing::refusal([&] { fit_of_rows(study); }); };
+  EXPECT_EQ(fault_of(good), "");
+  const auto refusal = [&]<class T>(T Study::*member, const std::type_identity_t<T>& value) {
+    Study study = good;
+    study.*member = value;
+    return fault_of(study);
   };
-  const auto with_rows = [](const MeasuredRows& rows) { return std::make_shared<const MeasuredRows>(rows); };
-  EXPECT_EQ(refusal([](Study&) {}), "none");
-  EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
-            "--form needs --over, a column of the table: for example --over x");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"x", "0", "1"}};
-            }),
+  EXPECT_EQ(refusal(&Study::over, {}), "--form needs --over, a column of the table: for example --over x");
+  EXPECT_EQ(refusal(&Study::over, {{"x", "0", "1"}}),
             "--over 'x=0:1' has a range, but the rows of the table give the values: leave it out");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.rows = nullptr;
-              s.target = "x";
-            }),
-            "--over 'x' needs a range: for example 0:1");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"value", "", ""}};
-            }),
+  Study without_rows = good;
+  without_rows.rows = nullptr;
+  without_rows.target = "x";
+  EXPECT_EQ(fault_of(without_rows), "--over 'x' needs a range: for example 0:1");
+  EXPECT_EQ(refusal(&Study::over, {{"value", "", ""}}),
             "--over 'value': a table has this name for its measured values");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "a + sigma x"; }),
+  EXPECT_EQ(refusal(&Study::form, "a + sigma x"),
             "--form: its parameter 'sigma': a table has this name for its standard deviations");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.given = {{"value", "1"}};
-            }),
+  EXPECT_EQ(refusal(&Study::given, {{"value", "1"}}),
             "--given 'value': a table has this name for its measured values");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.definitions = {{"sigma", {}, "2"}};
-            }),
+  EXPECT_EQ(refusal(&Study::definitions, {{"sigma", {}, "2"}}),
             "--let 'sigma': a table has this name for its standard deviations");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "a + b x + d x^2 + f x^3 + g x^4 + h x^5"; }),
+  EXPECT_EQ(refusal(&Study::form, "a + b x + d x^2 + f x^3 + g x^4 + h x^5"),
             "'line.csv' has fewer rows than the form has parameters: 5 and 6");
-  EXPECT_EQ(refusal([](Study& s) { s.weight = "max(x - 1, 0)"; }),
+  EXPECT_EQ(refusal(&Study::weight, "max(x - 1, 0)"),
             "--weight must be finite and greater than 0; it is not at line 2 of 'line.csv'");
-  EXPECT_EQ(refusal([&](Study& s) {
-              s.rows = with_rows({OthersText("m.csv"), {{1, 2, 3}}, {1, 0, 2}, {}});
-              s.weight = "1";
-              s.error = Error::relative;
-            }),
+  Study without_sigma = study_of_rows("a + sigma x", {OthersText("m.csv"), {{1, 2, 3}}, {1, 0, 2}, {}});
+  EXPECT_EQ(fault_of(without_sigma), "") << "the name is free";
+  without_sigma.error = Error::relative;
+  EXPECT_EQ(fault_of(without_sigma),
             "--error 'relative' divides by the target, which is 0 at line 3 of 'm.csv': leave that row out");
-  // Without a column sigma the name is free.
-  EXPECT_EQ(refusal([&](Study& s) {
-              s.rows = with_rows({OthersText("m.csv"), {{1, 2, 3}}, {1, 0, 2}, {}});
-              s.weight = "1";
-              s.form = "a + sigma x";
-            }),
-            "none");
 }
 
 }  // namespace

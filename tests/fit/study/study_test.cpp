@@ -4,21 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "fit/fit.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
 
 StudyFit fit_of(const Study& study) {
   return solve_study(read_study(study), study.starts);
+}
+
+std::string fault_of(const Study& study) {
+  return testing::refusal([&] { fit_of(study); });
 }
 
 /// A study whose answer is known.
@@ -297,117 +302,75 @@ TEST(Study, TakesAListOfParameters) {
 
 TEST(Study, AnswersBadInputWithOneLine) {
   const Study good{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
-  const auto refusal = [&](const std::function<void(Study&)>& change) -> std::string {
+  EXPECT_EQ(fault_of(good), "");
+  const auto refusal = [&]<class T>(T Study::*member, const std::type_identity_t<T>& value) {
     Study study = good;
-    change(study);
-    try {
-      fit_of(study);
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "none";
+    study.*member = value;
+    return fault_of(study);
   };
-  EXPECT_EQ(refusal([](Study&) {}), "none");
   EXPECT_EQ(
-      refusal([](Study& s) { s.target = "acoss(x)"; }),
+      refusal(&Study::target, "acoss(x)"),
       "--target: formula 'acoss(x)': expected one of x, pi, ln2 and the functions, not 'acoss' (did you mean "
       "'acos'?) at place 1");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x (a + b x)"; }),
+  EXPECT_EQ(refusal(&Study::form, "sqrt(1-x (a + b x)"),
             "--form: formula 'sqrt(1-x (a + b x)': expected ')' at place 19");
   EXPECT_EQ(
-      refusal([](Study& s) { s.target = "integral(x, x, 0, 1)"; }),
+      refusal(&Study::target, "integral(x, x, 0, 1)"),
       "--target: formula 'integral(x, x, 0, 1)': expected a new name for the variable of the integral at "
       "place 13");
-  EXPECT_EQ(refusal([](Study& s) { s.target = "integral(t x, t, 0)"; }),
+  EXPECT_EQ(refusal(&Study::target, "integral(t x, t, 0)"),
             "--target: formula 'integral(t x, t, 0)': expected ',' at place 19");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "integral(t, t, 0, x) t"; }),
+  EXPECT_EQ(refusal(&Study::form, "integral(t, t, 0, x) t"),
             "--form: formula 'integral(t, t, 0, x) t': expected 't' inside its integral alone at place 22");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x)"; }), "--form 'sqrt(1-x)' has no parameter to fit");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "a + (b - b) x"; }),
-            "--form does not depend on its parameter 'b'");
-  EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
+  EXPECT_EQ(refusal(&Study::form, "sqrt(1-x)"), "--form 'sqrt(1-x)' has no parameter to fit");
+  EXPECT_EQ(refusal(&Study::form, "a + (b - b) x"), "--form does not depend on its parameter 'b'");
+  EXPECT_EQ(refusal(&Study::over, {}),
             "--form needs --over, a variable and its range: for example --over x=0:1");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"x", "1", "0"}};
-            }),
+  EXPECT_EQ(refusal(&Study::over, {{"x", "1", "0"}}),
             "--over 'x=1:0' is empty: its first end must be below its second");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"x", "0", "1"}, {"x", "0", "1"}};
-            }),
-            "--over 'x' is given a second time");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"x", "0", "1"}, {"y", "0", "1"}, {"z", "0", "1"}, {"w", "0", "1"}};
-            }),
+  EXPECT_EQ(refusal(&Study::over, {{"x", "0", "1"}, {"x", "0", "1"}}), "--over 'x' is given a second time");
+  EXPECT_EQ(refusal(&Study::over, {{"x", "0", "1"}, {"y", "0", "1"}, {"z", "0", "1"}, {"w", "0", "1"}}),
             "--over 'w': a study has at most three variables");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"sqrt", "0", "1"}};
-            }),
-            "--over 'sqrt' is already a function or a number");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"y", "0", "1"}};
-            }).substr(0, 27),
-            "--target: formula 'acos(x)'");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"x", "0", "2"}};
-            }).substr(0, 40),
+  EXPECT_EQ(refusal(&Study::over, {{"sqrt", "0", "1"}}), "--over 'sqrt' is already a function or a number");
+  EXPECT_EQ(refusal(&Study::over, {{"y", "0", "1"}}).substr(0, 27), "--target: formula 'acos(x)'");
+  EXPECT_EQ(refusal(&Study::over, {{"x", "0", "2"}}).substr(0, 40),
             "--target has no finite value at x = 1.00");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.over = {{"x", "0", "1", "x - 2"}};
-            }).substr(0, 59),
+  EXPECT_EQ(refusal(&Study::over, {{"x", "0", "1", "x - 2"}}).substr(0, 59),
             "--over 'x': its density must be finite and not negative; at");
-  EXPECT_EQ(refusal([](Study& s) { s.held = {{"c", 1}}; }), "--fix 'c': the form has no such parameter");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.starts = {{"c", 1}};
-            }),
-            "--start 'c': the form has no such free parameter");
-  EXPECT_EQ(refusal([](Study& s) { s.weight = "x - 1"; }).substr(0, 49),
+  EXPECT_EQ(refusal(&Study::held, {{"c", 1}}), "--fix 'c': the form has no such parameter");
+  EXPECT_EQ(refusal(&Study::starts, {{"c", 1}}), "--start 'c': the form has no such free parameter");
+  EXPECT_EQ(refusal(&Study::weight, "x - 1").substr(0, 49),
             "--weight is negative, or has no finite value, at ");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.target = "x^2";
-              s.error = Error::relative;
-            }),
+  const auto relative = [](const std::string& target, const std::string& form) {
+    return fault_of({.target = target, .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
+  };
+  EXPECT_EQ(relative("x^2", "sqrt(1-x) (a + b x)"),
             "--error 'relative' divides by the target, which is 0 at x = 0: leave that place out of --over");
   EXPECT_EQ(
-      refusal([](Study& s) {
-        s.target = "x (x - 0.25)";
-        s.form = "a x";
-        s.error = Error::relative;
-      }),
+      relative("x (x - 0.25)", "a x"),
       "--error 'relative' divides by the target, which is 0 at x = 0.25: leave that place out of --over");
-  EXPECT_EQ(refusal([](Study& s) { s.given = {{"x", "1"}}; }), "--given 'x' is a variable already");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.definitions = {{"g", {}, "h"}, {"h", {}, "g"}};
-            }),
+  EXPECT_EQ(refusal(&Study::given, {{"x", "1"}}), "--given 'x' is a variable already");
+  EXPECT_EQ(refusal(&Study::definitions, {{"g", {}, "h"}, {"h", {}, "g"}}),
             "--let 'g' is defined by itself: g, h, g");
-  EXPECT_EQ(
-      refusal([](Study& s) {
-        s.definitions = {{"k", {}, "f(2)"}, {"f", {"x"}, "2g(x)"}, {"g", {"h"}, "h + f(h)"}, {"h", {}, "f"}};
-      }),
-      "--let 'f' is defined by itself: f, g, f");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.definitions = {{"f", {}, "f + 1"}};
-            }),
-            "--let 'f' is defined by itself: f, f");
-  EXPECT_EQ(refusal([](Study& s) {
-              s.definitions = {{"g", {}, "h"}, {"h", {}, "2"}};
-            }).substr(0, 22),
+  EXPECT_EQ(refusal(&Study::definitions,
+                    {{"k", {}, "f(2)"}, {"f", {"x"}, "2g(x)"}, {"g", {"h"}, "h + f(h)"}, {"h", {}, "f"}}),
+            "--let 'f' is defined by itself: f, g, f");
+  EXPECT_EQ(refusal(&Study::definitions, {{"f", {}, "f + 1"}}), "--let 'f' is defined by itself: f, f");
+  EXPECT_EQ(refusal(&Study::definitions, {{"g", {}, "h"}, {"h", {}, "2"}}).substr(0, 22),
             "--let 'g': formula 'h'")
       << "no ring";
-  EXPECT_EQ(refusal([](Study& s) {
-              s.parameters = {"a", "b", "d"};
-            }),
-            "--params 'd': the form has no such parameter");
-  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"a"}; }),
+  EXPECT_EQ(refusal(&Study::parameters, {"a", "b", "d"}), "--params 'd': the form has no such parameter");
+  EXPECT_EQ(refusal(&Study::parameters, {"a"}),
             "--form: formula 'sqrt(1-x) (a + b x)': expected one of x, a, pi, ln2 and the functions, not 'b' "
             "at place 16");
-  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"a", "a"}; }), "--params 'a' is given a second time");
-  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"x"}; }), "--params 'x' names something else already");
-  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"2"}; }),
+  EXPECT_EQ(refusal(&Study::parameters, {"a", "a"}), "--params 'a' is given a second time");
+  EXPECT_EQ(refusal(&Study::parameters, {"x"}), "--params 'x' names something else already");
+  EXPECT_EQ(refusal(&Study::parameters, {"2"}),
             "--params '2' is not a name: a letter, then letters, digits and underscores");
-  EXPECT_EQ(refusal([](Study& s) { s.form = std::string(1000000, 'a'); }),
+  EXPECT_EQ(refusal(&Study::form, std::string(1000000, 'a')),
             "--form: the formula is 1000000 characters long: at most 4000");
   EXPECT_EQ(
-      refusal([](Study& s) { s.form = "a/(b^2 (x - 0.5))"; }),
+      refusal(&Study::form, "a/(b^2 (x - 0.5))"),
       "--form has a pole, or no finite value, from every start: give another by --start, for example --start a=2");
 }
 

@@ -6,7 +6,7 @@
 
 #include "fit/study/study.hpp"
 #include "fit/study_squares/solve_study.hpp"
-#include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 /// Forms whose parameters move a kink.
 namespace shadefit {
@@ -45,14 +45,7 @@ TEST(MovingKinks, AreFoundWhereTheFormIsTheTarget) {
 // A parameter that only moves a jump has no derivative; one that is 0 by its algebra is none; and one without
 // an effect at the optimum leaves it open.
 TEST(MovingKinks, SayWhatTheFormDoesNotDependOn) {
-  const auto refusal = [](const std::string& form) -> std::string {
-    try {
-      fit_of("x^2", form);
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "none";
-  };
+  const auto refusal = [](const std::string& form) { return testing::refusal([&] { fit_of("x^2", form); }); };
   EXPECT_EQ(refusal("x > a ? b x : 0"),
             "--form has no derivative by its parameter 'a', which only moves a jump: hold it, for example by "
             "--fix a=0.5");

@@ -10,6 +10,7 @@
 #include "fit/formula/parse_formula.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/truths/truths.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -22,12 +23,7 @@ double number(const std::string& text) {
 }
 
 std::string fault(const std::string& text, const FormulaNames& names) {
-  try {
-    read_formula(text, names);
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
+  return testing::refusal<std::invalid_argument>([&] { read_formula(text, names); });
 }
 
 /// The integral of brdf(c, l, cos(phi)) l over the directions of the light, by tanh-sinh rules. It is split
