@@ -160,8 +160,8 @@ void refuse_studies(const RunOptions& options) {
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   const bool with_verdicts = options.verdict.has_value();
-  Table list = claims_list(wanted_claims(options.verdict, checkpoint), with_verdicts,
-                           options.json || options.csv ? Statements::plain : Statements::none);
+  Table list =
+      claims_list(wanted_claims(options.verdict, checkpoint), with_verdicts, options.json || options.csv);
   const bool is_file = options.id && options.id->ends_with(".toml");
   std::string err;
   if (is_file) {
@@ -219,8 +219,8 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
   // Claims are shown only if requested by name; all of them would be too many.
   if (!options.only.empty() && !results.claims.empty())
-    parts.push_back(write_console(claims_list(results.claims, true, Statements::none), Precision::report,
-                                  options.terminal));
+    parts.push_back(
+        write_console(claims_list(results.claims, true, false), Precision::report, options.terminal));
   if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
   std::string out = fmt::format("{}", fmt::join(parts, "\n"));
   out += news.out;

@@ -13,13 +13,11 @@ using Json = nlohmann::ordered_json;
 using ContenderKind = Contender::Kind;
 
 /// "a = -5.55473, b = -6.98316": published ones as printed, fitted ones with ten digits or all.
-std::string constants_text(const Contender& contender, Precision precision, int most_digits = all_digits) {
+std::string constants_text(const Contender& contender, Precision precision) {
   if (contender.kind == ContenderKind::published) return equations(contender.parameters);
   auto value = contender.values.begin();
   return joined(contender.parameters, ", ", [&](const auto& parameter) {
-    Number fitted = converged(*value++);
-    fitted.digits = std::min(fitted.digits, most_digits);
-    return parameter.first + " = " + text(fitted, precision);
+    return parameter.first + " = " + text(converged(*value++), precision);
   });
 }
 
@@ -53,17 +51,17 @@ std::string origin_of(const Contender& contender) {
   return fmt::format("{}, {}", contender.published, contender.origin);
 }
 
-Table table_of(const Comparison& comparison, int digits, int most_digits) {
+Table table_of(const Comparison& comparison, int digits) {
   Table table{{"form", "constants", "from", "max abs error", "at c", "max rel error", "rms error",
                "operations", "instructions", "beats"}};
   for (const Contender& contender : comparison.contenders) {
-    table.rows.push_back({contender.form, constants_text(contender, Precision::report, most_digits),
-                          origin_of(contender), shown_error(contender, digits), place_of_error(contender),
+    table.rows.push_back({contender.form, constants_text(contender, Precision::report), origin_of(contender),
+                          shown_error(contender, digits), place_of_error(contender),
                           relative_error(contender, digits), Number{contender.rms_error, digits},
                           to_text(contender.operations), instructions(contender),
                           joined(contender.beats, ", ")});
   }
-  return with_digits(std::move(table), most_digits);
+  return table;
 }
 
 Json surface_json(const Comparison& comparison) {
@@ -108,12 +106,12 @@ std::string target_of(const Comparison& comparison) {
          (domain == Domain{} ? "" : " on " + to_text(domain));
 }
 
-Table comparison_table(const Comparison& comparison, int most_digits) {
-  return table_of(comparison, 6, most_digits);
+Table comparison_table(const Comparison& comparison) {
+  return table_of(comparison, 6);
 }
 
 Table short_comparison_table(const Comparison& comparison) {
-  return table_of(comparison, 4, all_digits);
+  return table_of(comparison, 4);
 }
 
 Table comparisons_table(const std::vector<Comparison>& comparisons, Precision precision) {

@@ -14,8 +14,7 @@ namespace shadefit {
 std::string target_of(const Comparison& comparison);
 
 /// One row for each curve, for a terminal or a page. Errors have six digits, proven to one unit of the last.
-/// Only published numbers may have more than `most_digits`.
-Table comparison_table(const Comparison& comparison, int most_digits = all_digits);
+Table comparison_table(const Comparison& comparison);
 
 /// The same in short: four digits.
 Table short_comparison_table(const Comparison& comparison);

@@ -113,24 +113,4 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"assessments", json_array(report.assessments, assessment_json)}};
 }
 
-Json write_derived_json(const Assessment& a) {
-  const std::string parameter(a.published->parameter);
-  Json json{{"schema", fit_json_schema},
-            {"constant", a.published->id},
-            {"exponent", nullptr},
-            {"parameters", {{parameter, a.computed}}},
-            {"published", {{parameter, constant<double>(a.published->printed)}}},
-            {"verdict", name(a.judgement.verdict)}};
-  for (const char* key : {"rms_error", "max_abs_error", "max_abs_error_at", "max_rel_error",
-                          "max_rel_error_at", "relative_domain"})
-    json[key] = nullptr;
-  json.update({{"relative_to", "a mean or limit of fits has no curve of its own"},
-               {"status", name(Status::converged)},
-               {"iterations", nullptr},
-               {"digits", nullptr},
-               {"objective", objective_json(a.metric, std::nullopt)},
-               {"assessments", Json::array({assessment_json(a)})}});
-  return json;
-}
-
 }  // namespace shadefit

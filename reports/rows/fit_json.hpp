@@ -56,7 +56,4 @@ inline std::string json_text_of_each(const nlohmann::ordered_json& array) {
 /// numbers are null.
 nlohmann::ordered_json write_fit_json(const FittableFamily& family, const FitReport& report);
 
-/// A mean or limit of fits: the same fields, null if they have no meaning.
-nlohmann::ordered_json write_derived_json(const Assessment& assessment);
-
 }  // namespace shadefit

@@ -70,19 +70,17 @@ Table claims_overview(const std::vector<JudgedClaim>& claims) {
   return table;
 }
 
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Statements statements) {
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bool with_statements) {
   Table table{{"id", "printed"}};
   if (with_verdicts) table.columns.insert(table.columns.end(), {"computed", "verdict"});
-  if (statements != Statements::none) table.columns.emplace_back("of");
+  if (with_statements) table.columns.emplace_back("of");
   table.columns.emplace_back("source");
   for (const auto& [_, claim, finding] : claims) {
     std::vector<Cell>& row = table.rows.emplace_back();
     row = {word(claim->id), printed_text(*claim)};
     if (with_verdicts) row.insert(row.end(), {finding.computed, verdict_text(finding)});
-    if (statements == Statements::marked) row.push_back(word(claim->statement));
-    if (statements == Statements::plain) row.emplace_back(without_marks(claim->statement));
-    row.emplace_back(statements == Statements::none ? author_and_year(claim->source)
-                                                    : citation(claim->source));
+    if (with_statements) row.emplace_back(without_marks(claim->statement));
+    row.emplace_back(with_statements ? citation(claim->source) : author_and_year(claim->source));
   }
   return table;
 }

@@ -23,13 +23,9 @@ Table claims_table(const std::vector<JudgedClaim>& claims);
 /// The table for people: claim, printed, computed, verdict.
 Table claims_overview(const std::vector<JudgedClaim>& claims);
 
-/// How statements are shown: with the marks of their formulas, as LaTeX needs them
-/// (reports/table/mathematics.hpp), without, or not at all.
-enum class Statements { none, plain, marked };
-
 /// Every record, with its verdict if claims are judged: `shadefit list`. Without statements, for a terminal,
 /// each source is "author year".
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Statements statements);
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bool with_statements);
 
 /// Adds a row for each form that only compares, which has no source, to such a table without verdicts.
 void add_forms_of_comparison(Table& list);

@@ -32,15 +32,6 @@ std::string text(const Cell& cell, Precision precision) {
   return "";
 }
 
-Table with_digits(Table table, int most) {
-  for (auto& row : table.rows) {
-    for (Cell& cell : row) {
-      if (auto* number = std::get_if<Number>(&cell)) number->digits = std::min(number->digits, most);
-    }
-  }
-  return table;
-}
-
 Table with_column(Table table, const std::string& column, const std::string& text) {
   table.columns.push_back(column);
   for (auto& row : table.rows) row.emplace_back(text);

@@ -50,9 +50,6 @@ std::string text(const Cell& cell, Precision precision);
 
 Cell word(std::string_view text);
 
-/// The table with at most `most` digits of each number.
-Table with_digits(Table table, int most);
-
 /// The table with one more column, of the same text in each row.
 Table with_column(Table table, const std::string& column, const std::string& text);
 
