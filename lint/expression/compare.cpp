@@ -18,6 +18,34 @@ void append_parts(const Curve& curve, std::vector<Curve>& parts) {
   for (const Symbolic& part : curve.form.parts()) append_parts({part, curve.constants}, parts);
 }
 
+bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
+  const std::set<std::string> names = names_of(formula);
+  return std::ranges::all_of(set.constants,
+                             [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
+}
+
+/// The innermost part of the form that has all its constants, as a set of its own. For a phase function of k
+/// = a g - b g^3 it is that polynomial. Empty if it is the whole form, or so simple that it occurs elsewhere.
+std::optional<KnownSet> core_of(const KnownSet& set) {
+  constexpr int least_operations = 3;
+  Symbolic core = set.formula;
+  for (bool is_innermost = false; !is_innermost;) {
+    is_innermost = true;
+    for (const Symbolic& part : core.parts()) {
+      if (!has_all_constants(set, part)) continue;
+      core = part;
+      is_innermost = false;
+      break;
+    }
+  }
+  const std::set<std::string> names = names_of(core);
+  KnownSet small = set;
+  small.formula = core;
+  std::erase_if(small.axes, [&](const KnownAxis& axis) { return names.count(axis.variable) == 0; });
+  if (small.axes.empty() || small.axes.size() == set.axes.size()) return std::nullopt;
+  return count_operations(core).total() < least_operations ? std::nullopt : std::optional(std::move(small));
+}
+
 /// The formula with 1 for a variable.
 Symbolic with_one(const Symbolic& formula, const std::string& variable) {
   return evaluate<Symbolic>(formula, [&](const std::string& name) {
@@ -193,6 +221,12 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
   if (auto match = whole.compared(missing)) return match;
   if (auto match = whole.form()) return match;
   if (auto match = whole.replaced(missing)) return match;
+  if (const auto core = core_of(set)) {
+    if (auto match = ExpressionMatcher(expression, *core, constants, numbers).replaced(missing)) {
+      match->form = set.formula;
+      return match;
+    }
+  }
   return whole.slipped();
 }
 

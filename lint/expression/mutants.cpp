@@ -19,6 +19,9 @@ std::vector<std::string_view> kin_of(std::string_view function) {
   return {};
 }
 
+bool is_sum(const Symbolic& formula) {
+  return formula.kind() == Kind::add || formula.kind() == Kind::subtract;
+}
 bool is_product(const Symbolic& formula) {
   return formula.kind() == Kind::multiply || formula.kind() == Kind::divide;
 }
@@ -27,6 +30,25 @@ bool is_product(const Symbolic& formula) {
 /// factors.
 bool is_scaled(const Symbolic& formula) {
   return is_number(formula.part(0)) || is_number(formula.part(1));
+}
+
+/// a (b + c) as a b + c, (a + b) c as a + b c; the same for quotients and differences.
+void append_lost_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
+  const Symbolic &a = formula.part(0), &b = formula.part(1);
+  if (is_sum(b))
+    others.push_back(b.with_parts({Symbolic::operation(formula.kind(), {a, b.part(0)}), b.part(1)}));
+  if (is_sum(a))
+    others.push_back(a.with_parts({a.part(0), Symbolic::operation(formula.kind(), {a.part(1), b})}));
+  if (formula.kind() == Kind::divide && b.kind() == Kind::multiply)
+    others.push_back(a / b.part(0) * b.part(1));
+}
+
+/// a b + c as a (b + c); the same for a difference.
+void append_moved_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
+  const Symbolic& product = formula.part(0);
+  if (product.kind() != Kind::multiply) return;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+    others.push_back(product.part(i) * formula.with_parts({product.part(1 - i), formula.part(1)}));
 }
 
 /// Whether a formula is a function, or a power, of its first part.
@@ -100,8 +122,9 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
     case Kind::integral:
       break;
   }
-  if (is_product(formula) || formula.kind() == Kind::add || formula.kind() == Kind::subtract)
-    append_moved_into_argument(formula, others);
+  if (is_sum(formula)) append_moved_parentheses(formula, others);
+  if (is_product(formula)) append_lost_parentheses(formula, others);
+  if (is_sum(formula) || is_product(formula)) append_moved_into_argument(formula, others);
   return others;
 }
 

@@ -18,6 +18,14 @@
 namespace shadefit::lint {
 namespace {
 
+/// " * " for mul; empty for words other than add, sub, mul and div.
+std::string_view operator_of(std::string_view word) {
+  if (word == "mul") return " * ";
+  if (word == "add") return " + ";
+  if (word == "sub") return " - ";
+  return word == "div" ? " / " : "";
+}
+
 /// Rewrites a program's expression in the notation of formulas.
 class Rewriter {
  public:
@@ -34,7 +42,7 @@ class Rewriter {
       } else if (is_of_name(c)) {
         if (!word()) return std::nullopt;
       } else if (c == '.') {
-        if (!swizzle()) return std::nullopt;
+        if (!method()) return std::nullopt;
       } else if (c == '+' && is_unary_plus()) {
         ++at_;
       } else {
@@ -118,7 +126,7 @@ class Rewriter {
       } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
         at_ += 2;
         path += "." + take_word();
-      } else if (peek(0) == '.' && is_of_name(peek(1))) {
+      } else if (peek(0) == '.' && is_of_name(peek(1)) && (is_module(path) || !is_method())) {
         ++at_;
         const std::string member = take_word();
         path = is_module(path) ? member : path + "." + member;
@@ -175,6 +183,55 @@ class Rewriter {
       name(path + "(" + *inside + ")");
     }
     return true;
+  }
+
+  /// Whether a member that begins here is a method of the number before it: x.powf(2.4).
+  bool is_method() const {
+    const std::string_view rest = std::string_view(text_).substr(at_ + 1);
+    constexpr std::array<std::string_view, 14> methods{"powf(",  "powi(",  "pow(", "sqrt()", "exp()",
+                                                       "exp2()", "log2()", "ln()", "abs()",  "mul_add(",
+                                                       "mul(",   "add(",   "sub(", "div("};
+    return std::ranges::any_of(methods, [&](std::string_view method) { return rest.starts_with(method); });
+  }
+
+  /// x.powf(2.4) and (..).powf(2.4) become pow(x, 2.4).
+  bool method() {
+    if (!is_method()) return swizzle();
+    ++at_;
+    std::string function = take_word();
+    if (function == "ln") function = "log";
+    if (function == "powi" || function == "powf") function = "pow";
+    if (function == "mul_add") function = "fma";
+    const auto inside = group('(', ')');
+    if (!inside) return false;
+    const std::size_t begin = receiver();
+    if (begin == out_.size()) return false;
+    Rewriter arguments(*inside);
+    arguments.names_ = names_;
+    const auto rest = arguments.rewrite();
+    if (!rest) return false;
+    names_ = arguments.names_;
+    const std::string number = out_.substr(begin);
+    // x.mul(2) of three.js and of matrix libraries is x * (2).
+    const std::string_view sign = operator_of(function);
+    out_.resize(begin);
+    out_ += sign.empty() ? fmt::format("{}({}{}{})", function, number, rest->empty() ? "" : ", ", *rest)
+                         : fmt::format("({}{}({}))", number, sign, *rest);
+    return true;
+  }
+
+  /// Where the operand at the end of the output begins.
+  std::size_t receiver() const {
+    std::size_t begin = begin_of_run(out_, out_.size(), [](char c) { return c == ' '; });
+    if (begin > 0 && out_[begin - 1] == ')') {
+      int depth = 0;
+      while (begin > 0) {
+        --begin;
+        if (out_[begin] == ')') ++depth;
+        if (out_[begin] == '(' && --depth == 0) break;
+      }
+    }
+    return begin_of_run(out_, begin, [](char c) { return is_of_name(c) || c == '.'; });
   }
 
   /// Drops the components of a group: (..).xyz.

@@ -33,12 +33,14 @@ constexpr double rounding = 1e-15;  // the same operations in another order
 
 TEST(ReadExpression, ReadsEachLanguage) {
   const double x = 0.3, expected = std::pow(x + 0.055, 2.4);
-  for (const char* text :
-       {"pow(x + 0.055f, 2.4f)", "std::pow(x + 0.055, 2.4)", "Math.pow(x + 0.055, 2.4)",
-        "np.power(x + 0.055, 2.4)", "(x + 0.055) ** 2.4", "pow(vec3(x) + vec3(0.055), vec3(2.4))",
-        "powr(x.rgb + .055h, 2.4h)", "pow(vec3<f32>(x) + 0.055, vec3f(2.4))"})
+  for (const char* text : {"pow(x + 0.055f, 2.4f)", "std::pow(x + 0.055, 2.4)", "Math.pow(x + 0.055, 2.4)",
+                           "np.power(x + 0.055, 2.4)", "(x + 0.055) ** 2.4", "(x + 0.055).powf(2.4)",
+                           "x.add(0.055).pow(2.4)", "pow(vec3(x) + vec3(0.055), vec3(2.4))",
+                           "powr(x.rgb + .055h, 2.4h)", "pow(vec3<f32>(x) + 0.055, vec3f(2.4))"})
     EXPECT_NEAR(at_point_three(text), expected, rounding) << text;
   EXPECT_NEAR(at_point_three("x**-2", CommentStyle::hash), std::pow(x, -2), 1e-14);
+  EXPECT_NEAR(at_point_three("x.mul_add(2.0, 1.0)"), 2 * x + 1, rounding);
+  EXPECT_NEAR(at_point_three("x.mul(x.add(0.5)).sub(0.25).div(2)"), (x * (x + 0.5) - 0.25) / 2, rounding);
 }
 
 TEST(ReadExpression, AVectorOfEqualComponentsIsANumber) {
@@ -145,8 +147,10 @@ TEST(Mutants, HaveEachKindOfSlip) {
   };
   const std::vector<Case> cases{
       {"a + b", "a - b"},
-      {"a + b", "a"},      // a lost term
-      {"a - b", "b - a"},  // swapped operands
+      {"a + b", "a"},            // a lost term
+      {"a - b", "b - a"},        // swapped operands
+      {"a (b + c)", "a b + c"},  // lost parentheses
+      {"a x + c", "a (x + c)"},  // moved ones
       {"exp(x)", "exp2(x)"},
       {"a/b", "a b"},
       {"x^5", "x^4"},
