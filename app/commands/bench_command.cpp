@@ -72,7 +72,8 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
         fmt::format("{}\n{}\n", target.title,
                     write_console(bench::times_table(trade, target.id), Precision::report, options.terminal));
   out.pop_back();  // the next line is an empty one too
-  out += news.out + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
+  out +=
+      news.out + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
   return {news.err.empty() ? 0 : 1, out, news.err, folder.prepare(files, missing, options.force, checkpoint)};
 }
 
