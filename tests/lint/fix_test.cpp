@@ -107,15 +107,16 @@ TEST(UnifiedDiff, HasThreeLinesOfContext) {
   std::string before, after;
   for (int i = 1; i <= 30; ++i) {
     before += std::to_string(i) + "\n";
-    after += (i == 1 || i == 8 || i == 9 || i == 30 ? "x" : "") + std::to_string(i) + "\n";
+    after += (i == 1 || i == 8 || i == 9 || i == 15 || i == 30 ? "x" : "") + std::to_string(i) + "\n";
   }
   before.pop_back();
   after.pop_back();
-  EXPECT_EQ(unified_diff("d/f.glsl", before, after),
-            "--- a/d/f.glsl\n+++ b/d/f.glsl\n@@ -1,4 +1,4 @@\n-1\n+x1\n 2\n 3\n 4\n"
-            "@@ -5,8 +5,8 @@\n 5\n 6\n 7\n-8\n-9\n+x8\n+x9\n 10\n 11\n 12\n"
-            "@@ -27,4 +27,4 @@\n 27\n 28\n 29\n-30\n\\ No newline at end of file\n+x30\n"
-            "\\ No newline at end of file\n");
+  EXPECT_EQ(
+      unified_diff("d/f.glsl", before, after),
+      "--- a/d/f.glsl\n+++ b/d/f.glsl\n@@ -1,4 +1,4 @@\n-1\n+x1\n 2\n 3\n 4\n"
+      "@@ -5,14 +5,14 @@\n 5\n 6\n 7\n-8\n-9\n+x8\n+x9\n 10\n 11\n 12\n 13\n 14\n-15\n+x15\n 16\n 17\n 18\n"
+      "@@ -27,4 +27,4 @@\n 27\n 28\n 29\n-30\n\\ No newline at end of file\n+x30\n"
+      "\\ No newline at end of file\n");
   EXPECT_EQ(unified_diff("f", before, before), "");
   EXPECT_EQ(unified_diff("/f", "1\r\n", "2\r\n"), "--- /f\n+++ /f\n@@ -1,1 +1,1 @@\n-1\r\n+2\r\n");
 }

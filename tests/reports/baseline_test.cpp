@@ -140,6 +140,7 @@ TEST(Baseline, DriftsHaveTheEffectOnTheCurve) {
 TEST(Baseline, DriftsOfOtherCells) {
   EXPECT_EQ(drifts_after("0.08112825865", "0.08")[0].effect, "relative change 0.014");
   EXPECT_EQ(drifts_after("0.08112825865", "0")[0].effect, "from 0 by 0.081");
+  EXPECT_EQ(drifts_after("-0.520273417", "-0.5")[0].effect, "relative change -0.041") << "it falls";
   EXPECT_EQ(drifts_after("0.08112825865", "0.081128258650")[0].effect,
             "the same number, written differently");
   EXPECT_EQ(drifts_after("confirmed", "refuted")[0].effect, "another word");

@@ -45,7 +45,7 @@ TEST(GltfTextures, AreReadWhereverTheyAre) {
   const TemporaryDirectory directory;
   directory.file("maps/rough ness.png", png);
   directory.file("a.bin", content);
-  const std::string beside = directory.file("a.gltf", gltf_of_image(R"("uri":"maps/rough%20ness.png")"));
+  const std::string beside = directory.file("a.gltf", gltf_of_image(R"("uri":"maps/rough%20ness.pn%67")"));
   const Scene scene = read_gltf(beside, {});
   EXPECT_EQ(told_first(scene), the_sample);
   EXPECT_EQ(scene.materials[0].file, beside);

@@ -218,5 +218,13 @@ TEST(Plan, SaysWhatItDoesNotCount) {
   EXPECT_TRUE(make_plan(scene, {}).notes.empty()) << "Ns is no roughness";
 }
 
+TEST(Plan, OfEqualPowersTheBrightestCounts) {
+  const std::vector<Material> materials{wavefront("a", 0.04, 10), wavefront("b", 0.5, 10),
+                                        wavefront("c", 0.01, 10)};
+  const Lobes lobes = lobes_of(materials, {true, true, true});
+  ASSERT_EQ(lobes.all.size(), 1U);
+  EXPECT_EQ(lobes.all[0].factor, 0.5 * 12 / 8);
+}
+
 }  // namespace
 }  // namespace shadefit::scene

@@ -252,7 +252,8 @@ TEST(StudyProof, BoundsEachPlaceNextToAKink) {
         Study{.target = "max(x^2, 7 (x - 1/3)) - min(sin(9 x), 0.3)", .form = "x", .over = {unit}},
         Study{.target = "x < 1/3 ? 1 - 3 x : (x - 1/3)^2", .form = "x^2", .over = {unit}},
         Study{.target = "integral(abs(x - t) + t x^3, t, 0, 1)", .form = "x", .over = {unit}},
-        Study{.target = "exp(integral(cos(3 t x)/(1 + x t^2), t, 0, 1))", .form = "x", .over = {unit}}}) {
+        Study{.target = "exp(integral(cos(3 t x)/(1 + x t^2), t, 0, 1))", .form = "x", .over = {unit}},
+        Study{.target = "x integral(x t, t, 0, 1)", .form = "0.45 x", .over = {unit}}}) {
     const ReadStudy read = read_formulas(study);
     EnclosedError error(read, {});
     std::vector<StudyBox> boxes = corners_of(error.ranges());
