@@ -14,13 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "a = 1.5707963, b = -0.156583": as printed. Of a fit ten digits, or one less than it has: the last of
-/// these may be rounded either way.
+/// "a = 1.5707963, b = -0.156583": as printed. Of a fit ten digits, or six where it has fewer. Nothing
+/// between: how many it has varies by one with the libraries.
 std::string constants_text(const StudyContender& contender) {
   if (!contender.printed.empty()) return equations(contender.names, contender.printed);
   return equations(contender.names, contender.values, [&](double value) {
     const Number number = converged(value);
-    return text(Number{number.value, std::min(number.digits, contender.digits - 1)}, Precision::report);
+    return text(contender.digits < number.digits ? Number{value, 6} : number, Precision::report);
   });
 }
 
