@@ -12,14 +12,24 @@ namespace {
 /// Refuses what our writers never write, such as a text that is cut off or that another program saved.
 void require_plain_text(const std::string& content, const std::string& name) {
   if (content.empty()) throw UserError(fmt::format("'{}' is empty: a table needs a header line", name));
+  if (content.starts_with("\xEF\xBB\xBF"))
+    throw UserError(fmt::format("'{}' line 1 begins with a byte order mark: a table is plain UTF-8", name));
   std::size_t line = 1;
-  for (std::string_view rest = content; !rest.empty();) {
-    const auto [length, value] = first_code_point(rest);
-    if (length == 0 || (value != '\n' && is_unshown(value)))
-      throw UserError(fmt::format("'{}' line {} holds the byte 0x{:02x}: a table is plain UTF-8", name, line,
-                                  static_cast<unsigned char>(rest.front())));
-    line += value == '\n';
-    rest.remove_prefix(length);
+  for (std::size_t i = 0, length = 0; i < content.size(); i += length) {
+    const char c = content[i];
+    if (c == '\r')
+      throw UserError(fmt::format("'{}' line {} has a carriage return: lines end in LF alone", name, line));
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n') || byte == 0x7F) {
+      throw UserError(
+          fmt::format("'{}' line {} holds the byte 0x{:02x}: a table is plain text", name, line, byte));
+    }
+    length = first_code_point(std::string_view(content).substr(i)).length;
+    if (length == 0) {
+      throw UserError(fmt::format("'{}' line {} holds the byte 0x{:02x} out of place: a table is UTF-8", name,
+                                  line, byte));
+    }
+    line += c == '\n';
   }
   if (content.back() != '\n')
     throw UserError(fmt::format("'{}' line {} is truncated: it has no end", name, line));

@@ -72,12 +72,12 @@ TEST(BadBaseline, FilesThatAreNoTables) {
   for (const File& table : read_baseline(baseline).files) directory.file(table.name, table.content);
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", " is empty: a table needs a header line"},
-      {"\xEF\xBB\xBF" + fits, " line 1 holds the byte 0xef: a table is plain UTF-8"},
-      {windows, " line 1 holds the byte 0x0d: a table is plain UTF-8"},
-      {with("caf\xE9"), " line 2 holds the byte 0xe9: a table is plain UTF-8"},
-      {with("\xED\xA0\x80"), " line 2 holds the byte 0xed: a table is plain UTF-8"},
-      {with(std::string(1, '\0')), " line 2 holds the byte 0x00: a table is plain UTF-8"},
-      {with("\x1B[2J"), " line 2 holds the byte 0x1b: a table is plain UTF-8"},
+      {"\xEF\xBB\xBF" + fits, " line 1 begins with a byte order mark: a table is plain UTF-8"},
+      {windows, " line 1 has a carriage return: lines end in LF alone"},
+      {with("caf\xE9"), " line 2 holds the byte 0xe9 out of place: a table is UTF-8"},
+      {with("\xED\xA0\x80"), " line 2 holds the byte 0xed out of place: a table is UTF-8"},
+      {with(std::string(1, '\0')), " line 2 holds the byte 0x00: a table is plain text"},
+      {with("\x1B[2J"), " line 2 holds the byte 0x1b: a table is plain text"},
       {quote, " line 2 is truncated: it has no end"},
       {quote + "\n", " line 2 opens a quote and never closes it"},
       {fits + "\n", " line 125 has 1 cells: the header has 18"}};
