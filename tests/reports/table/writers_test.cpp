@@ -188,9 +188,9 @@ TEST(Csv, RefusesWhatIsCutOffOrMalformed) {
            {"a,b\n1,2\"3\"\n", "line 2 has a quote inside a cell that is not quoted"},
            {"a,b\r\n1,2\r\n", "line 1 has a carriage return: lines end in LF alone"},
            {"\xEF\xBB\xBF,b\n", "line 1 begins with a byte order mark: a table is plain UTF-8"},
-           {std::string("a,b\n1,\0\n", 8), "line 2 holds the byte 0x00: a table is plain UTF-8"},
+           {std::string("a,b\n1,\0\n", 8), "line 2 holds the byte 0x00: a table is plain text"},
            {"a,b\n1,2\n\"3", "line 3 is truncated: it has no end"},
-           {"a,b\n1,\xE9t\xE9\n", "line 2 holds the byte 0xe9: a table is plain UTF-8"}})
+           {"a,b\n1,\xE9t\xE9\n", "line 2 holds the byte 0xe9 out of place: a table is UTF-8"}})
     EXPECT_EQ(testing::refusal([&, text = content] { parse_csv(text, "t.csv"); }), "'t.csv' " + fault);
 }
 
