@@ -105,7 +105,7 @@ TEST(CertifyStudy, WritesACertificateThatHolds) {
   fields["schema"] = 2;
   const std::string newer = directory.file("newer.json", fields.dump(1));
   expect_refusal({"verify", newer},
-                 "certificate '" + newer + "' is of version 2: this shadefit reads version 1");
+                 "certificate '" + newer + "': version 2: this shadefit reads version 1");
   fields["schema"] = 1;
   fields.erase("boxes");
   const std::string without = directory.file("without.json", fields.dump(1));
