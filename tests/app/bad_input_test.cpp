@@ -319,7 +319,8 @@ TEST(BadInput, Usage) {
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
   expect_refusal({"help", "chekc"}, "unknown command 'chekc': did you mean 'check'?");
   expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
-  expect_refusal({"--completion", "tcsh"}, "--completion 'tcsh' is unknown: it must be one of bash, zsh, man");
+  expect_refusal({"--completion", "tcsh"},
+                 "--completion 'tcsh' is unknown: it must be one of bash, zsh, man");
   expect_refusal(
       {"fit"},
       "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");

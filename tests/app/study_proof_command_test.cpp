@@ -104,8 +104,7 @@ TEST(CertifyStudy, WritesACertificateThatHolds) {
   expect_has(changed.err, "is refused: its digest is");
   fields["schema"] = 2;
   const std::string newer = directory.file("newer.json", fields.dump(1));
-  expect_refusal({"verify", newer},
-                 "certificate '" + newer + "': version 2: this shadefit reads version 1");
+  expect_refusal({"verify", newer}, "certificate '" + newer + "': version 2: this shadefit reads version 1");
   fields["schema"] = 1;
   fields.erase("boxes");
   const std::string without = directory.file("without.json", fields.dump(1));
