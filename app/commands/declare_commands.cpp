@@ -40,11 +40,12 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->words; })
       options->words = words_of(
           *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
-    call.run = [options, run, &call] {
+    Call* const to = &call;  // captured where it is used: not every command takes a checkpoint
+    call.run = [=] {
       if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
-        return run(*options, call.checkpoint, call.progress);
+        return run(*options, to->checkpoint, to->progress);
       } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
-        return run(*options, call.checkpoint);
+        return run(*options, to->checkpoint);
       } else {
         return run(*options);
       }
@@ -74,7 +75,7 @@ void declare_commands(CLI::App& app, Call& call) {
   app.require_subcommand(1);
   app.get_help_ptr()->description("print this help");
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION, "print the version");
-  app.add_option("--completion", "the completions of bash")->group("");
+  app.add_option("--completion", "the completions of bash or zsh, or the manual page")->group("");
   const auto add = [&](const auto&... what) { add_command(app, call, what...); };
   add("list", "every constant and claim: id, printed value, source",
       "  shadefit list fresnel\n  shadefit list --verdict refuted\n", declare_list, list_command);
