@@ -131,6 +131,17 @@ TEST(Certificate, AFalseOneIsRefused) {
   expect_no_surface(bright, "a surface with an index of refraction has an f0 of its own");
 }
 
+// On [0, 1/1024] the error of the pair rises from 0: one box is bounded at its other end.
+TEST(Certificate, BothEndsOfABoxCount) {
+  Subject subject = published_pair();
+  subject.domain = {0, 0.0009765625};
+  Certificate certificate = certify(subject, usual_width).certificate;
+  certificate.places = boxes_of(subject.domain);
+  EXPECT_EQ(reason_to_refuse(certificate), "");
+  certificate.upper = certificate.lower /= 2;
+  EXPECT_EQ(reason_to_refuse(certificate).substr(0, 41), "the error may exceed the upper bound at c");
+}
+
 TEST(Certificate, ALobeHasNoSurface) {
   Certificate lobe = certify(gaussian(5), 0.1).certificate;
   lobe.subject.setting.surface = exact_surface(1.5);
