@@ -37,7 +37,8 @@ std::string_view name_behind(std::string_view text) {
   return name.substr(0, name.find_last_not_of(".-") + 1);  // npos + 1 is 0
 }
 
-/// The last number of a line; empty if there is none, if 0 or a version follows, or beside a hexadecimal one.
+/// The last number of a line. Empty if the line has no number, if a 0 or a version follows the number, or if
+/// the line has a hexadecimal number.
 std::string_view last_number(std::string_view line) {
   if (line.find("0x") != std::string_view::npos || line.find("0X") != std::string_view::npos) return {};
   const std::vector<Literal> all = literals_of(line, CommentStyle::none);

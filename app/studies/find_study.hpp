@@ -12,7 +12,7 @@
 namespace shadefit {
 
 /// The folders with studies, first come first found: those given, and the one that came with the command.
-/// Throws UserError if a given one is no folder.
+/// Throws UserError if a given path is not a folder.
 std::vector<std::filesystem::path> study_folders(const std::vector<std::string>& given);
 
 /// The files NAME.toml of these folders, by rising name. A name that a folder before has is left out.

@@ -17,7 +17,7 @@ std::string counted(std::size_t count, std::string_view plural) {
   return fmt::format("{} {}", count, plural);
 }
 
-/// "tables/fits.csv:12:5"; what is not known is left out.
+/// Where a finding is, as "tables/fits.csv:12:5". A line or column that is not known is left out.
 std::string place_text(const FindingPlace& place) {
   std::string text = place.path;
   if (place.line > 0) text += fmt::format(":{}", place.line);

@@ -25,7 +25,7 @@ Integral hemisphere_mean(const F& f, double f0) {
   return {first.value, std::abs(first.value - second.value)};
 }
 
-/// The smallest cosine such that the sum is at most 1 from there to c = 1; above 1 if there is none. The sum
+/// The smallest cosine c0 for which the sum is at most 1 on [c0, 1]. It returns 2 if no c0 exists. The sum
 /// is linear in F of the one fixed direction, F = f0 (normal) .. 1 (grazing), so it is 1 at one weight w of
 /// Schlick's formula between normal (w = 0) and grazing (w = 1), and c = 1 - w^(1/5).
 double from_cosine(double at_normal, double at_grazing) {
