@@ -63,6 +63,19 @@ Site without_arguments(Site site, const KnownSet& set, const ScannedText& text) 
   return site;
 }
 
+/// Whether a site before this one has the same number for the same study: the branches of one choice may be
+/// sites of two of its sets.
+bool is_said(const std::vector<JudgedSite>& judged, const std::vector<KnownSet>& sets,
+             const JudgedSite& site) {
+  return std::ranges::any_of(judged, [&](const JudgedSite& other) {
+    return sets[other.set].id == sets[site.set].id &&
+           std::ranges::any_of(other.numbers, [&](const JudgedNumber& number) {
+             return std::ranges::find(site.numbers, number.offset, &JudgedNumber::offset) !=
+                    site.numbers.end();
+           });
+  });
+}
+
 }  // namespace
 
 std::vector<JudgedSite> judge_text(std::string_view whole_text, CommentStyle style,
@@ -88,7 +101,7 @@ std::vector<JudgedSite> judge_text(std::string_view whole_text, CommentStyle sty
     const Site site = without_arguments(whole, set, text);
     const ScannedText program = program_of(site);
     auto one = judge_site(text, program, set, site, limits, memory);
-    if (!one) continue;
+    if (!one || is_said(judged, known.sets, *one)) continue;
     one->is_in_table = set.constants.size() < least_table &&
                        is_in_table(text, site.numbers.front().literal, site.numbers.back().literal);
     for (JudgedNumber& number : one->numbers)

@@ -64,23 +64,29 @@ class SiteReader {
   /// The indices of the set's constants that are not at the site.
   const std::vector<std::size_t>& missing() const { return missing_; }
 
-  /// The smallest expression around the numbers that is the form, perhaps with a slip. Empty if there is
-  /// none, if more than one constant is missing that a program must have, or if the numbers are in other
-  /// units.
+  /// The smallest expression around the numbers that is the form, one of its mixed forms, or one of them with
+  /// a slip. Empty if there is none, if more than one constant is missing that a program must have, or if the
+  /// numbers are in other units.
   std::optional<ExpressionMatch> read() const {
-    if (is_in_other_units(site_) || lacks_constants()) return std::nullopt;
+    if (is_in_other_units(site_)) return std::nullopt;
     std::vector<double> numbers;
     for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants_[number.constant]));
+    KnownSet set = set_;
     std::optional<ExpressionMatch> slip;
-    for (const Symbolic& one : expressions(site_.numbers.front().literal, site_.numbers.back().literal)) {
-      auto match = memory_.matches.get({&set_, text_without_names(one), constants_, numbers, missing_}, [&] {
-        return match_expression(one, set_, constants_, numbers, missing_);
-      });
-      if (!match) continue;
-      if (match->slip.empty()) return match;
-      if (!slip && believes_slips()) slip = std::move(match);
+    for (std::size_t form = 0; form <= set_.mixed.size(); ++form) {
+      if (form > 0) set.formula = set_.mixed[form - 1];
+      if (lacks_constants(set.formula)) continue;
+      for (const Symbolic& one : expressions(site_.numbers.front().literal, site_.numbers.back().literal)) {
+        const auto key = std::tuple(&set_, form, text_without_names(one), constants_, numbers, missing_);
+        auto match = memory_.matches.get(
+            key, [&] { return match_expression(one, set, constants_, numbers, missing_); });
+        if (!match) continue;
+        if (match->slip.empty()) return match;
+        if (!slip && believes_slips()) slip = std::move(match);
+      }
     }
-    return slip ? slip : slip_of_branch();
+    if (!slip && !lacks_constants(set_.formula)) slip = slip_of_branch();
+    return slip;
   }
 
   /// How much of the form the text contains.
@@ -121,11 +127,13 @@ class SiteReader {
     return site_.numbers.size() > 1 && site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
   }
 
-  /// Whether more than one constant is missing that a program must have, unlike 1 or pi/2. Then no expression
-  /// can be the form.
-  bool lacks_constants() const {
-    return std::ranges::count_if(
-               missing_, [&](std::size_t constant) { return !set_.constants[constant].is_common; }) > 1;
+  /// Whether more than one constant of a formula is missing that a program must have, unlike 1 or pi/2. Then
+  /// no expression can be the form.
+  bool lacks_constants(const Symbolic& formula) const {
+    const std::set<std::string> names = names_of(formula);
+    return std::ranges::count_if(missing_, [&](std::size_t constant) {
+             return !set_.constants[constant].is_common && names.contains(set_.constants[constant].name);
+           }) > 1;
   }
 
   /// The values that are computed around the numbers: first in one statement, then in several.

@@ -17,8 +17,9 @@ namespace shadefit::lint {
 /// What is computed once for a text. Its sets outlive this object.
 struct TextMemory {
   Memory<std::pair<CommentStyle, std::string>, std::optional<Symbolic>> expressions;
-  /// By the set, the expression without its names, the constants, the numbers and the missing constants.
-  Memory<std::tuple<const KnownSet*, std::string, std::vector<double>, std::vector<double>,
+  /// By the set, the place of the form in the set, the expression without its names, the constants, the
+  /// numbers and the missing constants.
+  Memory<std::tuple<const KnownSet*, std::size_t, std::string, std::vector<double>, std::vector<double>,
                     std::vector<std::size_t>>,
          std::optional<ExpressionMatch>>
       matches;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "approx/catalogue.hpp"
@@ -82,7 +83,31 @@ KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet
   return set;
 }
 
+/// The formula with the published numbers for its constants.
+Symbolic with_published(const KnownSet& set, const Symbolic& formula) {
+  return evaluate<Symbolic>(formula, [&](const std::string& name) {
+    const auto known = std::ranges::find(set.constants, name, &KnownConstant::name);
+    return known == set.constants.end() ? Symbolic::variable(name) : Symbolic::number(known->printed);
+  });
+}
+
+/// Adds the formulas of `KnownSet::mixed` to the sets of one study.
+void append_mixed(std::span<KnownSet> sets) {
+  for (KnownSet& set : sets)
+    for (const KnownSet& other : sets) {
+      if (&set == &other || set.formula.kind() != Symbolic::Kind::choice ||
+          other.formula.kind() != Symbolic::Kind::choice)
+        continue;
+      for (const std::size_t branch : {std::size_t{2}, std::size_t{3}}) {
+        std::vector<Symbolic> parts = set.formula.parts();
+        parts[branch] = with_published(other, other.formula.part(branch));
+        set.mixed.push_back(set.formula.with_parts(std::move(parts)));
+      }
+    }
+}
+
 void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
+  const std::size_t first = sets.size();
   const std::vector<Study> studies = combinations(file.study, file.given);
   for (const PublishedSet& published : file.published) {
     // Without the given constants of a set, the study does not have its form.
@@ -93,6 +118,7 @@ void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
     study.form = std::ranges::find(file.forms, published.form, &StudyForm::id)->formula;
     sets.push_back(set_of(file, read_formulas(study), published));
   }
+  append_mixed(std::span(sets).subspan(first));
 }
 
 /// The published constants of the built-in families, one set for each family and source.

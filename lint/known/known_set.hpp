@@ -50,6 +50,9 @@ struct KnownSet {
   std::vector<KnownConstant> constants;
   std::vector<KnownVariant> variants = {};
   bool is_encoded = false;  ///< whether the values are signals for a display: see `StudyFile`
+  /// The formula with one branch of its choice as another set of the study has it, numbers for its constants:
+  /// programs mix u*s with pow((u + a)/b, p).
+  std::vector<Symbolic> mixed = {};
 };
 
 /// The sets of all studies, and those of the built-in families.

@@ -303,7 +303,8 @@ TEST(MatchExpression, AnotherThresholdIsFoundWhereTheBranchesNearlyJoin) {
     return verdict_in("const f = s => s <= " + t + " ? s * 0.0773993808 : Math.pow(" + power + ", 2.4);\n",
                       SourceLanguage::javascript);
   };
-  for (const char* power : {"s * 0.9478672986 + 0.0521327014", "(s + 0.055) * 0.947867299"}) {
+  for (const char* power :
+       {"s * 0.9478672986 + 0.0521327014", "(s + 0.055) * 0.947867299", "(s + 0.055) / 1.055"}) {
     EXPECT_EQ(grade("0.04045", power), "srgb-decode-standard right");
     EXPECT_EQ(grade("0.040449936", power), "srgb-decode-standard right") << "where the branches join";
     EXPECT_EQ(grade("0.031308", power), "srgb-decode-standard typo");  // 0.12 codes
@@ -312,6 +313,10 @@ TEST(MatchExpression, AnotherThresholdIsFoundWhereTheBranchesNearlyJoin) {
   EXPECT_EQ(verdict_in("const f = x => x <= 0.031308 ? x * 12.92 : 1.055 * Math.pow(x, 1 / 2.4) - 0.055;\n",
                        SourceLanguage::javascript),
             "srgb-encode-standard wrong");
+  EXPECT_EQ(
+      verdict_in("const f = s => s <= 0.0031308 ? s / 12.92 : (s * 0.9478672986 + 0.0521327014) ** 2.4;\n",
+                 SourceLanguage::javascript),
+      "srgb-decode-standard wrong");
 }
 
 TEST(MatchExpression, AnInnerPowerMayBeACall) {
