@@ -1,22 +1,30 @@
-# shadefit_folder(LIBRARY [HOT] FILE.. [ALONE FILE..]): the .cpp files of the folder that calls it, as a target of its own, whose objects
-# become part of shadefit_LIBRARY. fit/study is folder_fit_study.
-# The files of a folder instantiate the same templates: in one batch they compile in half the time. So no two of them may define the same
-# name, not even one without linkage. HOT: the loops of fits, with -O2; all else runs once or waits for others' code, and has -O1.
-# ALONE: a unit of its own, because it takes more optimising, or includes headers of others that define many macros.
+# shadefit_folder(LIBRARY [HOT] FILE.. [ALONE FILE..]): the .cpp files of the folder that calls it, as a part of shadefit_LIBRARY.
+# The folders of a library are compiled in one batch, because they instantiate the same templates: it takes half of their time. So no two
+# of their files may define the same name, not even one without linkage. Where a batch would take more than 1.5 GB, the folder above sets
+# shadefit_batch, and its later folders are a batch of that name. HOT: the loops of fits, a batch with -O2; all else runs once or waits for
+# others' code, and has -O1. ALONE: a unit of its own, because it takes more optimising, or includes headers of others that define many macros.
 # The variables shadefit_links and shadefit_numbers come from the library's folder.
 function(shadefit_folder library)
   cmake_parse_arguments(PARSE_ARGV 1 folder "HOT" "" "ALONE")
-  file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
-  foreach(file IN LISTS folder_UNPARSED_ARGUMENTS folder_ALONE)
-    set_property(GLOBAL APPEND PROPERTY shadefit_sources_of_${library} ${name}/${file})
-  endforeach()
-  string(REPLACE "/" "_" name folder_${name})
-  add_library(${name} OBJECT ${folder_UNPARSED_ARGUMENTS} ${folder_ALONE})
-  target_sources(shadefit_${library} PRIVATE $<TARGET_OBJECTS:${name}>)
-  if(folder_ALONE)
-    set_source_files_properties(${folder_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set(batch ${library}${shadefit_batch}_seldom)
+  if(folder_HOT)
+    set(batch ${library}${shadefit_batch}_hot)
   endif()
-  shadefit_compile(${name} "${folder_HOT}")
+  if(NOT TARGET ${batch})
+    add_library(${batch} OBJECT)
+    target_sources(shadefit_${library} PRIVATE $<TARGET_OBJECTS:${batch}>)
+    shadefit_compile(${batch} "${folder_HOT}")
+  endif()
+  file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  list(TRANSFORM folder_UNPARSED_ARGUMENTS PREPEND ${name}/)
+  list(TRANSFORM folder_ALONE PREPEND ${name}/)
+  set_property(GLOBAL APPEND PROPERTY shadefit_sources_of_${library} ${folder_UNPARSED_ARGUMENTS} ${folder_ALONE})
+  list(TRANSFORM folder_UNPARSED_ARGUMENTS PREPEND ${PROJECT_SOURCE_DIR}/)
+  list(TRANSFORM folder_ALONE PREPEND ${PROJECT_SOURCE_DIR}/)
+  target_sources(${batch} PRIVATE ${folder_UNPARSED_ARGUMENTS} ${folder_ALONE})
+  if(folder_ALONE)
+    set_source_files_properties(${folder_ALONE} TARGET_DIRECTORY ${batch} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
 endfunction()
 
 # How a target of ours compiles, whether a folder or the first file of a library.

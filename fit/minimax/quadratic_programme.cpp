@@ -1,9 +1,10 @@
 #include "fit/minimax/quadratic_programme.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -83,10 +84,9 @@ class DualMethod {
         normals.col(i) = slope(active_[static_cast<std::size_t>(i)].condition);
       const Matrix solved = factors_.solve(normals);
       const Vector direct = factors_.solve(normal);
-      const Vector shares = count == 0 ? Vector()
-                                       : Vector((normals.transpose() * solved)
-                                                    .colPivHouseholderQr()
-                                                    .solve(Vector(normals.transpose() * direct)));
+      const Vector shares =
+          count == 0 ? Vector()
+                     : solution(pivoted_qr(normals.transpose() * solved), normals.transpose() * direct);
       const Vector direction = count == 0 ? direct : Vector(direct - solved * shares);
       const double gain = direction.dot(normal);
       const bool is_across = !(gain > across * direct.dot(normal)) || count == normal.size();

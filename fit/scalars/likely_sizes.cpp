@@ -1,12 +1,12 @@
 #include "fit/scalars/likely_sizes.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include "fit/scalars/integral.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -74,7 +74,7 @@ class Equations {
       matrix.row(static_cast<Eigen::Index>(i)) = rows_[i].tail(count());
       right[static_cast<Eigen::Index>(i)] = -rows_[i][0];
     }
-    const Eigen::VectorXd answer = matrix.completeOrthogonalDecomposition().solve(right);
+    const Eigen::VectorXd answer = shortest_solution(matrix, right);
     return {answer.begin(), answer.end()};
   }
 

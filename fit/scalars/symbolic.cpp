@@ -418,4 +418,9 @@ std::string to_text(const Operations& operations) {
   return words.empty() ? "nothing" : joined(words);
 }
 
+Symbolic substituted(const Symbolic& expression,
+                     const std::function<Symbolic(const std::string&)>& value_of) {
+  return evaluated<Symbolic>(expression, value_of);
+}
+
 }  // namespace shadefit

@@ -225,11 +225,9 @@ T value_of_integral(const Symbolic& e, const std::function<T(const std::string&)
   return length * sum;
 }
 
-/// The expression in the scalar T; `value_of(name)` gives a variable. An integral is computed by the usual
-/// rule, so in intervals its value is no enclosure. Throws std::logic_error for a function that is not of the
-/// vocabulary.
+/// What evaluate() does, as a template for every scalar.
 template <class T, class ValueOf>
-T evaluate(const Symbolic& expression, const ValueOf& value_of) {
+T evaluated(const Symbolic& expression, const ValueOf& value_of) {
   using Kind = Symbolic::Kind;
   const auto part = [&](std::size_t i) { return evaluate<T>(expression.part(i), value_of); };
   const std::string& name = expression.name();
@@ -277,6 +275,21 @@ T evaluate(const Symbolic& expression, const ValueOf& value_of) {
     }
   }
   throw std::logic_error("a function outside the vocabulary: " + name);
+}
+
+/// The expression with an expression for each variable. It is compiled once, and not where it is called.
+Symbolic substituted(const Symbolic& expression, const std::function<Symbolic(const std::string&)>& value_of);
+
+/// The expression in the scalar T; `value_of(name)` gives a variable. An integral is computed by the usual
+/// rule, so in intervals its value is no enclosure. Throws std::logic_error for a function that is not of the
+/// vocabulary.
+template <class T, class ValueOf>
+T evaluate(const Symbolic& expression, const ValueOf& value_of) {
+  if constexpr (std::same_as<T, Symbolic>) {
+    return substituted(expression, value_of);
+  } else {
+    return evaluated<T>(expression, value_of);
+  }
 }
 
 }  // namespace shadefit

@@ -1,9 +1,10 @@
 #include "fit/study/projection.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -46,8 +47,7 @@ Triangle triangle_of(const Matrix& slopes, const VectorOf<double>& errors, const
   columns = roots.asDiagonal() * columns;
   const Eigen::Index n = columns.cols();
   if (columns.rows() < n) columns.conservativeResizeLike(Matrix::Zero(n, n));
-  const Eigen::HouseholderQR<Matrix> qr(columns);
-  return qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  return packed_qr(columns).topRows(n).triangularView<Eigen::Upper>();
 }
 
 /// The solution x of R x = right, for the first rows of R. An empty column gets 0.

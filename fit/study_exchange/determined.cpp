@@ -1,7 +1,8 @@
 #include "fit/study_exchange/determined.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
+
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -36,7 +37,7 @@ bool are_determined(const MatrixOf<double>& slopes, std::span<const std::size_t>
     of_support.col(i) = columns.col(static_cast<Eigen::Index>(support[static_cast<std::size_t>(i)]));
     multipliers[i] = first_multipliers[static_cast<std::size_t>(i)];
   }
-  const Eigen::ColPivHouseholderQR<MatrixOf<double>> qr(of_support);
+  const PivotedQr qr = pivoted_qr(of_support);
   std::vector<bool> is_in(static_cast<std::size_t>(rows), false);
   for (const std::size_t row : support) is_in[row] = true;
 
@@ -45,7 +46,7 @@ bool are_determined(const MatrixOf<double>& slopes, std::span<const std::size_t>
     has_moved = false;
     for (Eigen::Index row = 0; row < rows; ++row) {
       if (is_in[static_cast<std::size_t>(row)]) continue;
-      const VectorOf<double> shares = qr.solve(columns.col(row));
+      const VectorOf<double> shares = solution(qr, columns.col(row));
       const double step = room(multipliers, shares) / 2;
       if (step <= vanishing) continue;
       multipliers -= step * shares;
@@ -60,7 +61,7 @@ bool are_determined(const MatrixOf<double>& slopes, std::span<const std::size_t>
   MatrixOf<double> spanning(unknowns, static_cast<Eigen::Index>(held.size()));
   for (std::size_t i = 0; i < held.size(); ++i)
     spanning.col(static_cast<Eigen::Index>(i)) = columns.col(held[i]).head(unknowns);
-  return !held.empty() && Eigen::ColPivHouseholderQR<MatrixOf<double>>(spanning).rank() == unknowns;
+  return !held.empty() && pivoted_qr(spanning).rank() == unknowns;
 }
 
 }  // namespace shadefit

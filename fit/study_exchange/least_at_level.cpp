@@ -1,7 +1,6 @@
 #include "fit/study_exchange/least_at_level.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "fit/minimax/quadratic_programme.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/search.hpp"
+#include "fit/support/decompositions.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
@@ -29,9 +29,9 @@ struct LinearPart {
 };
 
 /// The error and its slopes along the axes, as linear functions of the parameters.
-class LinearErrors {
+class LinearParts {
  public:
-  explicit LinearErrors(const ReadStudy& weighted)
+  explicit LinearParts(const ReadStudy& weighted)
       : size_(weighted.parameters.size()),
         program_(tape_of(weighted.form, formula_inputs(weighted), weighted.axes.size()), {}) {}
 
@@ -113,9 +113,8 @@ class LeastAtLevel {
       add_falling(place, sign);
       MatrixOf<double> longer(chosen.rows(), chosen.cols() + 1);
       longer << chosen, part.slope.cast<double>();
-      Eigen::ColPivHouseholderQR<MatrixOf<double>> qr(longer.rows(), longer.cols());
-      qr.setThreshold(1e-9);  // the multipliers make one slope a sum of the others, up to rounding
-      if (qr.compute(longer).rank() < longer.cols()) continue;
+      constexpr double rounding = 1e-9;  // up to which the multipliers make one slope a sum of the others
+      if (pivoted_qr(longer, rounding).rank() < longer.cols()) continue;
       chosen = longer;
       conditions_.push_back({sign * part.slope, level_ - sign * part.value, true});
     }
@@ -220,7 +219,7 @@ class LeastAtLevel {
   }
 
   const LinearSurface& surface_;
-  LinearErrors errors_;
+  LinearParts errors_;
   std::vector<double> start_, parameters_;
   long double level_ = 0;
   MatrixOf<double> hessian_;

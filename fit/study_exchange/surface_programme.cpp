@@ -1,10 +1,10 @@
 #include "fit/study_exchange/surface_programme.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "fit/study/even_grid.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 
@@ -69,7 +69,7 @@ std::optional<std::vector<std::size_t>> first_reference(const VectorOf<double>& 
   const VectorOf<double> scale = slopes.cwiseAbs().colwise().maxCoeff();
   if (!(scale.minCoeff() > 0)) return std::nullopt;
   const MatrixOf<double> columns = (slopes * scale.cwiseInverse().asDiagonal()).transpose();
-  const Eigen::ColPivHouseholderQR<MatrixOf<double>> qr(columns);
+  const PivotedQr qr = pivoted_qr(columns);
   const Eigen::VectorXi order = qr.colsPermutation().indices();
   if (qr.rank() < n) return std::nullopt;
   Eigen::Index extra = order[n];
@@ -78,7 +78,7 @@ std::optional<std::vector<std::size_t>> first_reference(const VectorOf<double>& 
   }
   MatrixOf<double> chosen(n, n);
   for (Eigen::Index i = 0; i < n; ++i) chosen.col(i) = columns.col(order[i]);
-  const VectorOf<double> shares = -chosen.colPivHouseholderQr().solve(columns.col(extra));
+  const VectorOf<double> shares = -solution(pivoted_qr(chosen), columns.col(extra));
   std::vector<std::size_t> reference;
   const auto refer = [&](Eigen::Index place, double share) {
     reference.push_back(2 * static_cast<std::size_t>(place) + (share < 0 ? 1 : 0));

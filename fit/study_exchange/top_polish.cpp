@@ -1,11 +1,11 @@
 #include "fit/study_exchange/top_polish.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -78,7 +78,7 @@ bool TopPolish::step(std::vector<double>& place, const std::vector<bool>& is_fre
         curvature(i, j) = curvature(j, i) = values[next];
     }
   }
-  const VectorOf<double> move = -curvature.colPivHouseholderQr().solve(slope);
+  const VectorOf<double> move = -solution(pivoted_qr(curvature), slope);
   for (Eigen::Index i = 0; i < n; ++i) {
     const StudyAxis& axis = axes_[static_cast<std::size_t>(i)];
     double& x = place[static_cast<std::size_t>(i)];

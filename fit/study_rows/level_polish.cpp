@@ -1,13 +1,12 @@
 #include "fit/study_rows/level_polish.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -119,10 +118,8 @@ class LevelSystem {
     }
     if (!matrix.allFinite()) return NAN;
     // If the level leaves some steps undetermined, the shortest one is taken.
-    Eigen::CompleteOrthogonalDecomposition<Matrix> solver(unknowns, unknowns);
-    solver.setThreshold(1e-11);  // less is rounding
-    solver.compute(matrix);
-    const Vector step = -solver.solve(residuals<T>(errors_at));
+    constexpr double rounding = 1e-11;
+    const Vector step = -shortest_solution(matrix, residuals<T>(errors_at), rounding);
     const Vector moved = steps_ * step.head(directions_);
     relative_ = 0;
     for (std::size_t j = 0; j < at_.parameters.size(); ++j) {
@@ -137,14 +134,13 @@ class LevelSystem {
   }
 
   double bend() const {
-    Eigen::ColPivHouseholderQR<Matrix> qr(directions_, rows_);
-    // The optimum makes one slope a combination of the others, up to the rounding of the steps.
-    qr.setThreshold(1e-9);
-    qr.compute(signed_slopes().transpose());
+    constexpr double rounding =
+        1e-9;  // of the steps: the optimum makes one slope a combination of the others
+    const PivotedQr qr = pivoted_qr(signed_slopes().transpose(), rounding);
     const Eigen::Index free = directions_ - qr.rank();
     if (free <= 0) return HUGE_VAL;
-    const Matrix along = Matrix(qr.householderQ()).rightCols(free);
-    return Eigen::SelfAdjointEigenSolver<Matrix>(along.transpose() * curvature() * along).eigenvalues()[0];
+    const Matrix along = basis(qr).rightCols(free);
+    return eigen_of(along.transpose() * curvature() * along).eigenvalues()[0];
   }
 
   const LevelPoints& points_;

@@ -1,6 +1,5 @@
 #include "fit/study_rows/minimax_rows.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "fit/study_squares/confirm_integrals.hpp"
 #include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -27,10 +27,8 @@ std::vector<LevelRow> independent(const std::vector<LevelRow>& rows, const Matri
   for (const LevelRow& row : rows) {
     Matrix longer(slopes.cols(), chosen.cols() + 1);
     longer << chosen, slopes.row(static_cast<Eigen::Index>(row.row)).transpose();
-    Eigen::ColPivHouseholderQR<Matrix> qr(longer.rows(), longer.cols());
-    qr.setThreshold(1e-9);  // the optimum makes one slope a sum of the others, up to rounding
-    qr.compute(longer);
-    if (qr.rank() < longer.cols() || !(longer.rightCols(1).norm() > 1e-9)) continue;
+    constexpr double rounding = 1e-9;  // up to which the optimum makes one slope a sum of the others
+    if (pivoted_qr(longer, rounding).rank() < longer.cols() || !(longer.rightCols(1).norm() > 1e-9)) continue;
     chosen = longer;
     result.push_back(row);
   }
@@ -43,8 +41,7 @@ Matrix steps_beside(const std::vector<LevelRow>& held, const Matrix& slopes) {
   for (std::size_t i = 0; i < held.size(); ++i)
     columns.col(static_cast<Eigen::Index>(i)) =
         slopes.row(static_cast<Eigen::Index>(held[i].row)).transpose();
-  const Eigen::HouseholderQR<Matrix> qr(columns);
-  return Matrix(qr.householderQ()).rightCols(slopes.cols() - columns.cols());
+  return qr_basis(columns).rightCols(slopes.cols() - columns.cols());
 }
 
 /// The next stage: the rows of a level stay there, and the others may still move.

@@ -1,13 +1,12 @@
 #include "fit/study_rows/row_descent.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "fit/minimax/quadratic_programme.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -54,7 +53,7 @@ std::vector<LevelRow> rows_of(const RowStage& stage) {
 /// The curvature without its negative parts. A larger `shortening` adds curvature in all directions: the step
 /// becomes shorter.
 Matrix convex(const Matrix& curvature, double shortening) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> values(curvature);
+  const auto values = eigen_of(curvature);
   const Vector raised = values.eigenvalues().cwiseMax(0).array() + shortening;
   return values.eigenvectors() * raised.asDiagonal() * values.eigenvectors().transpose();
 }
@@ -109,9 +108,8 @@ Matrix row_directions(const Matrix& slopes, double unit) {
   const Eigen::Index n = slopes.cols();
   const Vector sizes = slopes.colwise().norm();
   const Vector scale = (sizes.array() > 0).select(sizes.cwiseInverse(), 0);
-  Eigen::ColPivHouseholderQR<Matrix> qr(slopes.rows(), n);
-  qr.setThreshold(1e-12);  // less is the rounding of the slopes
-  qr.compute(slopes * scale.asDiagonal());
+  constexpr double rounding = 1e-12;  // of the slopes
+  const PivotedQr qr = pivoted_qr(slopes * scale.asDiagonal(), rounding);
   const Eigen::Index rank = qr.rank();
   const Matrix triangle = qr.matrixR().topLeftCorner(rank, rank);
   Matrix steps = Matrix::Zero(n, rank);

@@ -1,10 +1,10 @@
 #include "fit/study_squares/equal_candidates.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "fit/least_squares/scaled_hessian.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 
@@ -54,7 +54,7 @@ std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& s
     if (hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) == 0)
       return "the curve stays the same while " + study.parameters[i] + " changes";
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixOf<double>> values(ScaledHessian(hessian).scaled);
+  const auto values = eigen_of(ScaledHessian(hessian).scaled);
   constexpr double flat = 1e-13;  // rounding of the sums
   if (std::abs(values.eigenvalues()[0]) > flat) return "";
   std::string names;

@@ -1,6 +1,6 @@
 #include "fit/study_squares/linear_optimum.hpp"
 
-#include <Eigen/QR>
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 
@@ -33,7 +33,7 @@ std::optional<LinearOptimum> linear_optimum(std::size_t parameter_count, const L
 }
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target) {
-  return columns.colPivHouseholderQr().solve(target);
+  return solution(pivoted_qr(columns), target);
 }
 
 }  // namespace shadefit

@@ -47,7 +47,7 @@ svg { width: 100%; max-width: 45rem; height: auto; } svg text { font: 12px syste
 )";
 
 /// Search, sort and copy. Everything is readable without this.
-constexpr std::string_view script = R"(
+constexpr std::string_view page_script = R"(
 for (const table of document.querySelectorAll('table.sortable')) {
   const body = table.tBodies[0];
   table.tHead.addEventListener('click', event => {
@@ -135,7 +135,7 @@ std::string html_page(const OthersText& title, std::string_view body) {
       "<!doctype html><!-- shadefit -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<link rel=\"icon\" href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
-      for_html(title), style, body, script);
+      for_html(title), style, body, page_script);
 }
 
 std::string html_table(const Table& table, bool is_index) {
