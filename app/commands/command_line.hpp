@@ -13,8 +13,8 @@ namespace shadefit {
 
 /// Runs the command; `arguments` without the program's name. Reads and writes files, never a standard stream.
 /// Does not throw. `checkpoint` is called between the steps of long work. It may end the work by throwing
-/// Interrupted (app/output/interrupt.hpp). Then nothing is written, except by commands that keep a state
-/// and document it. `progress` shows the progress of the work.
+/// Interrupted (app/output/interrupt.hpp). Then nothing is written. `progress` shows the progress of the
+/// work.
 Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint = keep_going,
                          const Progress& progress = unwatched);
 

@@ -239,7 +239,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   }
   if (options.fit.study.table == "-")
     throw UserError("--table '-' does not go with emit: the code names its table, for --check");
-  const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
+  const auto file = options.out ? std::optional(OutputFile("--out", *options.out, "the code")) : std::nullopt;
   const auto study = chosen_study(options.fit, checkpoint);
   if (options.better && !study)
     throw UserError(fmt::format("--better is for a study: see 'shadefit better {}'", options.fit.id));

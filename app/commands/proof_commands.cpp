@@ -78,7 +78,7 @@ std::optional<OutputFile> certificate_file(const CertifyOptions& options, std::s
   if (certificates != 1)
     throw UserError(
         fmt::format("--out '{}' takes one certificate, not {}: {}", *options.out, certificates, advice));
-  return OutputFile(*options.out, "the certificate");
+  return OutputFile("--out", *options.out, "the certificate");
 }
 
 /// The bounds as JSON or as a text, and the certificate for its file.

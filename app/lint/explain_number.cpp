@@ -58,6 +58,17 @@ void append_claims(const lint::Digits& digits, std::vector<NamedConstant>& const
   }
 }
 
+/// The constants of one or two digits, which the index does not find: a source is full of such numbers.
+void append_short(const lint::KnownConstants& known, const lint::Digits& digits,
+                  std::vector<NamedConstant>& constants) {
+  if (!constants.empty()) return;
+  for (std::size_t set = 0; set < known.sets.size(); ++set) {
+    for (std::size_t i = 0; i < known.sets[set].constants.size(); ++i)
+      if (lint::digits_of(known.sets[set].constants[i].printed) == digits)
+        constants.push_back(named(known.sets[set], {{set, i}}));
+  }
+}
+
 }  // namespace
 
 std::optional<Outcome> explain_number(const ExplainOptions& options) {
@@ -69,6 +80,7 @@ std::optional<Outcome> explain_number(const ExplainOptions& options) {
   append_claims(digits, constants);
   for (const NumberMatch& found : known.index.find(digits))
     constants.push_back(named(known.sets[found.place.set], found));
+  append_short(known, digits, constants);
   std::ranges::stable_sort(constants, {}, &NamedConstant::match);
   if (constants.empty())
     throw UserError(fmt::format("no published constant that shadefit knows has the number '{}'", options.id));

@@ -25,12 +25,12 @@ fs::path target_of(fs::path path) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& text, const std::string& what) {
+OutputFile::OutputFile(const std::string& option, const std::string& text, const std::string& what) {
   const fs::path path(text);
   const std::string name = path.filename().string();
   std::error_code error;
   if (name.empty() || name == "." || name == ".." || fs::is_directory(path, error))
-    throw UserError(fmt::format("--out '{}' names no file for {}", text, what));
+    throw UserError(fmt::format("{} '{}' names no file for {}", option, text, what));
   const auto status = fs::status(path, error);
   if (error && status.type() != fs::file_type::not_found) fail(text, error.message());
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(text, "it is a device or a pipe, not a file");

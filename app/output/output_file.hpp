@@ -11,12 +11,12 @@
 /// What an option --out names.
 namespace shadefit {
 
-/// The destination of an option --out that names a file. A link stays, and its target is written.
+/// The destination of an option that names a file, --out or --plot. A link stays, and its target is written.
 class OutputFile {
  public:
   /// Throws UserError if the text does not name a file, or names one that cannot be written. `what` names the
   /// content: "the certificate".
-  OutputFile(const std::string& text, const std::string& what);
+  OutputFile(const std::string& option, const std::string& text, const std::string& what);
 
   /// The returned call writes the file. Throws UserError if it is a foreign one and not to be replaced
   /// (`force`).

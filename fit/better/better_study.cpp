@@ -128,6 +128,14 @@ void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyF
   }
 }
 
+/// Whether a form has published constants of which one has no derivative, such as the threshold of a choice
+/// that jumps there. They can be compared, but nothing can be fitted, so no fit can judge them.
+bool is_only_published(const StudyFile& file, const StudyForm& form, const Study& study) {
+  if (std::ranges::find(file.published, form.id, &PublishedSet::form) == file.published.end()) return false;
+  const StudyError error(read_study(study));
+  return std::ranges::find(error.is_open(), true) != error.is_open().end();
+}
+
 void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
                  const Checkpoint& checkpoint, const Checkpoint& next) {
   const Study study = with_form(comparison.study, form);
@@ -253,7 +261,7 @@ std::size_t steps_to_compare(const StudyFile& file, const Study& study) {
   std::size_t steps = 1;
   for (const StudyForm& form : file.forms) {
     const Study with = with_form(study, form);
-    steps += objectives_of(file, with).size();
+    if (!is_only_published(file, form, with)) steps += objectives_of(file, with).size();
     for (const PublishedSet& set : file.published) steps += set.form == form.id && is_for(set, with) ? 1 : 0;
   }
   return steps;
@@ -265,8 +273,9 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
     const bool is_first = comparison.contenders.empty();
-    append_published(comparison, file, form, checkpoint, next, judged);
-    append_fits(comparison, file, form, checkpoint, next);
+    const bool is_fitted = !is_only_published(file, form, with_form(study, form));
+    append_published(comparison, file, form, checkpoint, next, is_fitted ? judged : Judged::no);
+    if (is_fitted) append_fits(comparison, file, form, checkpoint, next);
     if (is_first && !comparison.contenders.empty())
       comparison.properties = properties_of_target(form, study, comparison.contenders.front().values);
   }

@@ -52,7 +52,7 @@ struct StudyContender {
   std::vector<StudyProperty> properties = {};    ///< that it shares with its target; proven or sampled
   Effect effect = {};                            ///< of the form in place of its target, sampled
   bool is_shown = false;                         ///< whether the target lies in [0, 1], as a colour does
-  std::optional<StudyJudgement> judgement = {};  ///< of a published set
+  std::optional<StudyJudgement> judgement = {};  ///< of a published set whose form can be fitted
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   std::optional<ProvenError> proof = {};         ///< only by `prove_contenders`
   std::string unproven = {};                     ///< why there is no proof, set by `prove_contenders`

@@ -40,7 +40,7 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
       published.form + (given_text(comparison.study).empty() ? "" : ", " + given_text(comparison.study)),
       short_source(published.origin),
       repositories(published.published->where),
-      verdict_text(*published.judgement),
+      published.judgement ? verdict_text(*published.judgement) : "",
       error_in_words(comparison.error),
       Number{published.max_error.magnitude, 4},
       static_cast<long>(published.operations.total())};

@@ -122,8 +122,12 @@ std::vector<OthersText> published_lines(const PublishedSet& set,
   for (const StudyComparison& comparison : comparisons) {
     const StudyContender* contender = contender_of(comparison, set);
     if (contender == nullptr) continue;
-    lines.push_back(fmt::format("Verdict: {}", verdict_in_words(*contender->judgement)));
-    lines.push_back(trials_text(*contender->judgement));
+    if (contender->judgement) {
+      lines.push_back(fmt::format("Verdict: {}", verdict_in_words(*contender->judgement)));
+      lines.push_back(trials_text(*contender->judgement));
+    } else {
+      lines.emplace_back("No verdict: a parameter that only moves a jump has no fit");
+    }
     lines.push_back("Properties of the target that it keeps: " + text_with_proofs(contender->properties));
     lines.push_back("Largest difference from the target: " + effect_text(comparison, *contender));
     if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));

@@ -55,6 +55,7 @@ TEST(Explain, ANumberNamesTheConstantsThatHaveIt) {
   EXPECT_FALSE(has(pair, "one digit differs")) << "another constant has all digits";
   const std::string slip = explained("5.55437");
   EXPECT_TRUE(has(slip, "fresnel-quadratic") && has(slip, "one digit differs")) << slip;
+  EXPECT_TRUE(has(explained("2.2"), "srgb-decode-cubic") && has(explained("srgb-encode-standard"), "12.92"));
   const auto json = json_of({"explain", "5.55473"});
   EXPECT_EQ(json["number"], "5.55473");
   EXPECT_EQ(json["constants"][0]["id"], "fresnel-quadratic");
