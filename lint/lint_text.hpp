@@ -43,7 +43,6 @@ struct JudgedSite {
   GradedSite graded;
   std::string slip = {};       ///< of the expression: see ExpressionMatch
   std::string replaced = {};   ///< why the source replaced a value that is found here
-  bool is_read = false;        ///< whether an expression is the form, perhaps with a slip
   bool is_in_comment = false;  ///< whether all numbers are
   bool is_in_table = false;    ///< the set is a small part of a table of numbers
 };

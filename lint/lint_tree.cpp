@@ -151,7 +151,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
                      const InParallel& how) {
   struct OfFile {
     std::vector<LintedSite> sites;
-    std::optional<std::uintmax_t> bytes;
+    bool is_read = false;
     SkippedFiles skipped;
   };
   std::vector<OfFile> found(tree.files.size());
@@ -164,7 +164,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
           const SourceFile& file = tree.files[i];
           const auto text = read_source(file, found[i].skipped);
           if (!text) continue;
-          found[i].bytes = text->size();
+          found[i].is_read = true;
           found[i].sites =
               lint_source(file.name, *text, file.language, known, limits, checkpoint, &found[i].skipped);
         }
@@ -173,10 +173,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
   LintedTree linted{.sites = {}, .skipped = tree.skipped};
   for (OfFile& one : found) {
     add(linted.skipped, one.skipped);
-    if (one.bytes) {
-      ++linted.files;
-      linted.bytes += *one.bytes;
-    }
+    if (one.is_read) ++linted.files;
     std::ranges::move(one.sites, std::back_inserter(linted.sites));
   }
   return linted;

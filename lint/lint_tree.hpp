@@ -57,7 +57,6 @@ struct LintedSite {
 struct LintedTree {
   std::vector<LintedSite> sites;  ///< by file, then by place
   std::size_t files = 0;          ///< that were read
-  std::uintmax_t bytes = 0;
   SkippedFiles skipped;
 };
 

@@ -234,7 +234,6 @@ class SiteJudge {
     if (found.is_published)
       for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
     judged.slip = found.slip;
-    judged.is_read = is_read;
     judged.is_in_comment = std::ranges::all_of(
         site_.numbers, [&](const SiteNumber& number) { return at(number.literal).is_in_comment; });
     // A comment without a formula may wrap a number or mention an older one.

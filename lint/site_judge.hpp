@@ -30,7 +30,7 @@ struct TextMemory {
 Reading reading_of(const ScannedText& program, const KnownSet& set, const Site& site, TextMemory& memory);
 
 /// The site, or empty if neither its numbers nor the expression around them show that it is one. `program` is
-/// the text with_joined_strings(), without its comments unless the site is in one.
+/// the text without its comments, unless the site is in one.
 std::optional<JudgedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,
                                      const Site& site, const EffectLimits& limits, TextMemory& memory);
 

@@ -143,7 +143,6 @@ lint::LintedTree lint_standard_input(const LintOptions& options, const lint::Kno
   const std::string text = read_standard_input(lint::largest_source, checkpoint);
   lint::LintedTree linted;
   linted.files = 1;
-  linted.bytes = text.size();
   linted.sites = lint_source("<stdin>", text, language, known, limits, checkpoint, &linted.skipped);
   return linted;
 }
@@ -209,7 +208,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   add_value(lint, "--baseline", options.baseline, parse_text, "FILE",
             "do not fail for findings that are in FILE, the output of an earlier --format json");
   add_values(lint, "--exclude", options.exclude, parse_text, "GLOB",
-             "leave these files out, as .gitignore does; may be repeated");
+             "leave out files and folders that match, as a line of .gitignore without '!'; may be repeated");
   add_values(lint, "--language", options.languages, parse_choice(by_name(lint::source_languages)), "NAME",
              "only files of this language; may be repeated; of standard input its language (default: glsl)");
   add_values(lint, "--studies", options.studies, parse_text, "DIR",

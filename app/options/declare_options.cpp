@@ -18,7 +18,7 @@ void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print JSON, every number to its last bit");
 }
 
-/// The formats of a table; each excludes the `--json` before them.
+/// The other format of a table; it excludes the `--json` before it.
 CLI::Option* add_csv(CLI::App& command, bool& csv, const std::string& columns) {
   return command.add_flag("--csv", csv, "print CSV" + columns)->excludes("--json");
 }
@@ -147,8 +147,9 @@ void add_study(CLI::App& command, FitOptions& options) {
                                                      "another name of --over, and with A:B alone of --domain")
       ->type_name("NAME=A:B|A:B")
       ->allow_extra_args(false);
-  add_values(command, "--given", study.given, parse_given, "NAME=LIST",
-             "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
+  add_values(
+      command, "--given", study.given, parse_given, "NAME=LIST",
+      "a constant of --form and --target: values separated by commas, or A:B:STEP above 0; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
              "a function or a value for the other formulas, for example 'f(x)=x^2' or 'k=3'");
   add_value(
@@ -176,7 +177,7 @@ void add_target_or_formula(CLI::App& command, FitOptions& options, const std::st
 /// What `fit`, `certify` and `emit` fit, and how. Generated files list the options in this order.
 void add_fit(CLI::App& command, FitOptions& options) {
   add_subject(command, options);
-  add_exponent(command, options, "those for which the source printed a number");
+  add_exponent(command, options, "of a published number its own, of a family the usual range");
   add_metric(command, options);
   add_target_or_formula(command, options, "schlick");
   add_norm(command, options);

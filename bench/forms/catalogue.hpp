@@ -34,7 +34,7 @@ struct Constants {
 };
 
 struct FormEntry {
-  std::string_view id;      ///< the id of the kernels (`CompiledForm::form`)
+  std::string_view id;      ///< the id of the kernels (`FormKernels`)
   std::string_view target;  ///< the id of its target
   Arguments arguments;
   Function function;

@@ -95,9 +95,9 @@ std::span<const FormKernels> all_kernels() {
   return all;
 }
 
-const FormKernels* find_kernels(std::string_view form, int exp2_degree) {
+const FormKernels* find_kernels(std::string_view form) {
   for (const FormKernels& kernels : all_kernels()) {
-    if (kernels.form == form && kernels.exp2_degree == exp2_degree) return &kernels;
+    if (kernels.form == form && kernels.exp2_degree == 0) return &kernels;
   }
   return nullptr;
 }

@@ -40,7 +40,7 @@ struct FormKernels {
 /// All of them, form by form.
 std::span<const FormKernels> all_kernels();
 
-/// The kernels of a form with an exp2 of that degree, or null.
-const FormKernels* find_kernels(std::string_view form, int exp2_degree = 0);
+/// The kernels of a form with the exp2 of the library, or null.
+const FormKernels* find_kernels(std::string_view form);
 
 }  // namespace shadefit::forms

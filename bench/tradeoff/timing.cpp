@@ -7,8 +7,7 @@ namespace {
 
 /// One visit: a few warm calls, then the timed ones.
 void sample(const Work& work, Samples& samples, const Clock& clock) {
-  // An eighth of a visit restores caches and branch prediction. A core that slows down for wide registers
-  // does so within it.
+  // An eighth of a visit restores caches and branch prediction.
   for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
   const double before = clock();
   for (long i = 0; i < samples.calls; ++i) work.once();

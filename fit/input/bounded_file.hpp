@@ -16,13 +16,11 @@ void require_size(const std::filesystem::path& path, std::uintmax_t most_bytes);
 /// the file.
 std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_bytes);
 
-/// The same of standard input, named '-'. Calls the checkpoint while it waits.
-std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint);
-
 /// `length` bytes of a file from `offset` on. Throws UserError naming the file, also if it ends before.
 std::string read_part(const std::filesystem::path& path, std::uintmax_t offset, std::uintmax_t length);
 
-/// Standard input to its end, at most `most_bytes`. Throws UserError where it cannot be read or has more.
+/// Standard input to its end, at most `most_bytes`. Calls the checkpoint while it waits. Throws UserError
+/// where it cannot be read or has more.
 std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

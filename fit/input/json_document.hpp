@@ -15,7 +15,7 @@ inline constexpr int most_json_depth = 64;
 inline constexpr std::size_t most_json_values = 4'000'000;
 
 /// The largest number of members in an object of our own files, because they are searched one after the
-/// other. A state has the most: 19.
+/// other. A certificate has the most.
 inline constexpr std::size_t most_own_members = 64;
 
 /// The document without the members whose names `is_kept` refuses, at any depth. Time and memory are

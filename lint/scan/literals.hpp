@@ -17,11 +17,6 @@ enum class CommentStyle {
   none,  ///< a text such as Markdown
 };
 
-/// Whether the style has // and /* */.
-constexpr bool has_slashes(CommentStyle style) {
-  return style == CommentStyle::c || style == CommentStyle::rust;
-}
-
 /// Whether # begins a comment here. In Python # begins one, but #define is a line of a shader.
 bool begins_hash_comment(std::string_view text, std::size_t at);
 

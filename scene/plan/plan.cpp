@@ -27,7 +27,7 @@ long smooth_materials(const Scene& scene, const Plan& plan) {
   return smooth;
 }
 
-/// What the plan does not cover, what was changed, and what engines would change, one line each.
+/// What is done with small roughness, or what engines would do.
 std::vector<std::string> notes_of(const Scene& scene, const Plan& plan) {
   std::vector<std::string> notes;
   const double least = scene.conventions.min_roughness;

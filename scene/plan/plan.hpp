@@ -62,7 +62,7 @@ struct Plan {
   std::vector<Decision> decisions;
   std::vector<MaterialPlan> materials;
   double error = 0;                ///< upper bound for all lights together
-  std::vector<std::string> notes;  ///< what the plan does not cover and what was changed, one line each
+  std::vector<std::string> notes;  ///< on small roughness
   bool is_within() const { return error <= wanted.tolerance; }
   bool has_lobes() const;
 };

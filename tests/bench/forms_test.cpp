@@ -32,7 +32,6 @@ TEST(Kernels, ServeTheWholeCatalogue) {
     ASSERT_NE(library, nullptr) << form.id;
     EXPECT_NE(library->in_long_double, nullptr) << form.id;
   }
-  EXPECT_EQ(find_kernels("schlick", 3), nullptr);
 }
 
 template <class R>
