@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <list>
 #include <string>
-#include <vector>
 
 #include "lint/pins.hpp"
 #include "tests/lint/all_known.hpp"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "fit/formula/parse_formula.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/scalars/in_50_digits.hpp"

@@ -281,6 +281,10 @@ TEST(Minimax, DegenerateAlternationsAreNoAnswers) {
   const MinimaxOptimum twice = solve_synthetic<Constant>();
   EXPECT_NE(twice.status, Status::converged);
   EXPECT_FALSE(twice.why.empty());
+  Metric bounded = minimax();
+  bounded.domain = {0.5, 1};
+  bounded.constraints.at_most = 0.9;  // holds the error up at 1, and a place between holds nothing up
+  EXPECT_EQ(find_family("sg-scaled")->fit(5, bounded).status, Status::degenerate);
 }
 
 TEST(Minimax, EndsWithAStatusWhateverIsAsked) {

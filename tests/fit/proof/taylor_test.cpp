@@ -2,11 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/intervals.hpp"

@@ -1,7 +1,6 @@
 #include "approx/kernels.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
-#include <cmath>
 #include <vector>
 
 #include "approx/lobe.hpp"

@@ -1,8 +1,5 @@
 #include "approx/phong_blinn.hpp"
 
-#include <array>
-#include <cmath>
-
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
 #include "tests/accuracy.hpp"

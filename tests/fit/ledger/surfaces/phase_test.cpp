@@ -1,8 +1,5 @@
 #include "approx/phase.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
 #include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/multiprecision.hpp"
