@@ -26,7 +26,7 @@ Words words_for(const CLI::App& app, const std::string& type) {
     return words;
   };
   Words words;
-  if (type == "FORM") return with_studies(ids_with_a_fit());
+  if (type == "FORM") return with_studies(fitted_ids());
   if (type == "CLAIM") return with_studies(claim_ids());
   if (type == "ID") return with_studies(known_ids());
   if (type == "CITED") return with_studies(cited_ids());

@@ -185,13 +185,6 @@ Metric metric_for(const FitOptions& options, const FittableFamily& family,
   return metric;
 }
 
-std::vector<std::string> ids_with_a_fit() {
-  std::vector<std::string> ids = known_ids();
-  std::erase_if(
-      ids, [](const std::string& id) { return find_family(id) == nullptr && find_published(id) == nullptr; });
-  return ids;
-}
-
 NamedFit find_fit(const std::string& id) {
   const bool is_normalisation =
       std::ranges::find(normalisations, id, &Normalisation::id) != normalisations.end();
@@ -203,7 +196,7 @@ NamedFit find_fit(const std::string& id) {
   if (find_claim(id) != nullptr && find_family(id) == nullptr && find_published(id) == nullptr) {
     throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", id));
   }
-  require_known(id, ids_with_a_fit(), "form or constant");
+  require_known(id, fitted_ids(), "form or constant");
   const Published* published = find_family(id) == nullptr ? find_published(id) : nullptr;
   return {find_family(published != nullptr ? published->family : std::string_view(id)), published};
 }

@@ -24,9 +24,6 @@ struct NamedFit {
 /// Throws UserError for a constraint that only minimax supports.
 void refuse_minimax_constraints(const Constraints& constraints);
 
-/// The ids that `fit` takes: families and published constants.
-std::vector<std::string> ids_with_a_fit();
-
 /// The family of an id: the id of a family or of a published constant.
 NamedFit find_fit(const std::string& id);
 

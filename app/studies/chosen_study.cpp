@@ -17,11 +17,6 @@
 namespace shadefit {
 namespace {
 
-bool is_built_in(const std::string& id) {
-  const std::vector<std::string> known = known_ids();
-  return std::ranges::find(known, id) != known.end();
-}
-
 /// A built-in family has no formulas.
 void require_family_options(const FitOptions& options) {
   const StudyOptions& study = options.study;
@@ -145,7 +140,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoin
     require_family_options(options);
     return std::nullopt;
   }
-  if (is_built_in(options.id)) {
+  if (is_known_id(options.id)) {
     if (own.form)
       throw UserError(fmt::format("'{}' does not go with --form: leave the family out", options.id));
     require_family_options(options);
@@ -156,7 +151,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoin
     const auto folders = study_folders(options.studies);
     auto found = find_study(options.id, folders);
     if (!found) {
-      std::vector<std::string> known = ids_with_a_fit();
+      std::vector<std::string> known = fitted_ids();
       for (const std::string& id : study_ids(folders)) known.push_back(id);
       require_known(options.id, known, "form, constant or study");
     }

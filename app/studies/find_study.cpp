@@ -174,8 +174,7 @@ std::optional<StudyFile> find_study(const std::string& name, const std::vector<f
 
 StudyFile named_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (auto found = find_study(name, folders)) return *std::move(found);
-  const std::vector<std::string> built_in = known_ids();
-  if (std::ranges::find(built_in, name) != built_in.end())
+  if (is_known_id(name))
     throw UserError(fmt::format("'{0}' is built in, no study: see 'shadefit run --only {0}'", name));
   require_known(name, study_ids(folders), "study");
   return {};

@@ -67,22 +67,36 @@ std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const C
   return found;
 }
 
+bool has_id(const auto& records, std::string_view id) {
+  return std::ranges::any_of(records, [&](const auto& record) { return record.id == id; });
+}
+
 }  // namespace
 
-std::vector<std::string> known_ids() {
+std::vector<std::string> fitted_ids() {
   std::vector<std::string> ids;
+  for (const auto& family : fittable_families()) {
+    ids.emplace_back(family.info.id);
+    for (const Published& published : published_constants) {
+      if (published.family == family.info.id) ids.emplace_back(published.id);
+    }
+  }
+  return ids;
+}
+
+std::vector<std::string> known_ids() {
+  std::vector<std::string> ids = fitted_ids();
   const auto add = [&](std::string_view id) {
     if (std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
   };
-  for (const auto& family : fittable_families()) {
-    add(family.info.id);
-    for (const Published& published : published_constants) {
-      if (published.family == family.info.id) add(published.id);
-    }
-  }
   for (const Normalisation& record : normalisations) add(record.id);
   for (const std::string& id : claim_ids()) add(id);
   return ids;
+}
+
+bool is_known_id(std::string_view id) {
+  return find_family(id) != nullptr || has_claim(id) || has_id(published_constants, id) ||
+         has_id(normalisations, id);
 }
 
 std::vector<std::string> claim_ids() {

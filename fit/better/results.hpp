@@ -27,8 +27,14 @@ struct Results {
 /// report shows.
 inline constexpr ComparisonOptions report_comparison{.width = 1e-6, .only_minimax = true};
 
+/// The ids of families and published constants.
+std::vector<std::string> fitted_ids();
+
 /// All ids: families, published constants, normalisations, claims, in the order of the report.
 std::vector<std::string> known_ids();
+
+/// Whether an id is one of them.
+bool is_known_id(std::string_view id);
 
 /// The ids of the ledger only.
 std::vector<std::string> claim_ids();

@@ -1,5 +1,7 @@
 #include "fit/ledger/ledger.hpp"
 
+#include <algorithm>
+
 #include "fit/ledger/claim_files.hpp"
 #include "fit/ledger/read_claims.hpp"
 
@@ -14,6 +16,12 @@ std::span<const Topic> ledger() {
     return claims;
   }();
   return read.topics;
+}
+
+bool has_claim(std::string_view id) {
+  const std::string line = "\nid = \"" + std::string(id) + "\"\n";
+  return std::ranges::any_of(
+      claim_files, [&](const ClaimFile& file) { return file.text.find(line) != std::string_view::npos; });
 }
 
 std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,

@@ -16,6 +16,9 @@ namespace shadefit {
 /// library. Read once.
 std::span<const Topic> ledger();
 
+/// Whether a claim has this id. It reads no claim: to parse all takes as long as a fit.
+bool has_claim(std::string_view id);
+
 struct JudgedClaim {
   const Topic* topic;
   const Claim* claim;

@@ -18,12 +18,14 @@ TEST(Ledger, IdsStandOnceAndRecordsAreComplete) {
   for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) {
       EXPECT_TRUE(ids.insert(claim.id).second) << claim.id << " stands twice";
+      EXPECT_TRUE(has_claim(claim.id)) << claim.id;
       EXPECT_FALSE(claim.statement.empty() || claim.derivation.empty()) << claim.id;
       EXPECT_FALSE(claim.source.author.empty() || claim.source.title.empty() || claim.source.place.empty())
           << claim.id;
       EXPECT_GT(claim.source.year, 1900) << claim.id;
     }
   }
+  EXPECT_FALSE(has_claim("power") || has_claim("")) << "a part of an id, and none";
 }
 
 TEST(Ledger, EveryClaimIsJudgedWithWords) {
