@@ -193,7 +193,7 @@ NamedFit find_fit(const std::string& id) {
         "'{0}' is a normalisation constant, an integral; it is not fitted: see 'shadefit run --only {0}'",
         id));
   }
-  if (find_claim(id) != nullptr && find_family(id) == nullptr && find_published(id) == nullptr) {
+  if (has_claim(id) && find_family(id) == nullptr && find_published(id) == nullptr) {
     throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", id));
   }
   require_known(id, fitted_ids(), "form or constant");

@@ -44,8 +44,14 @@ inline bool is_unshown(char32_t point) {
 /// All of a text, such as a path, as a terminal can show it: \xNN for each byte of a code point that
 /// `is_unshown`, and for each byte that is not UTF-8.
 inline std::string printable(std::string_view text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
   std::string shown;
-  while (!text.empty()) {
+  while (true) {
+    // Most text is plain: it is copied at once.
+    const auto plain = static_cast<std::size_t>(std::ranges::find_if_not(text, is_plain) - text.begin());
+    shown += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) return shown;
     const auto [length, value] = first_code_point(text);
     const std::string_view point = text.substr(0, std::max<std::size_t>(length, 1));
     if (length > 0 && !is_unshown(value)) {
@@ -55,7 +61,6 @@ inline std::string printable(std::string_view text) {
     }
     text.remove_prefix(point.size());
   }
-  return shown;
 }
 
 /// One line that a terminal can show, the middle of a text of more than 600 bytes left out.

@@ -36,14 +36,34 @@ double time_of(double sharpness) {
   return 1 / (2 * sharpness);
 }
 
-/// The heat kernel of the sphere, its peak scaled to 1.
+/// Of the heat kernel of the sphere: its terms, and their sum, by which the peak is scaled to 1.
+struct HeatSeries {
+  std::vector<double> weights = {};
+  double peak = 0;
+
+  explicit HeatSeries(double t) {
+    for (int l = 0; l <= last_term(t); ++l) weights.push_back(heat_weight(l, t));
+    peak = std::accumulate(weights.rbegin(), weights.rend(), 0.0);  // the small ones first
+  }
+};
+
 Kernel heat_kernel(double t) {
-  std::vector<double> weights;
-  for (int l = 0; l <= last_term(t); ++l) weights.push_back(heat_weight(l, t));
-  const double peak = std::accumulate(weights.rbegin(), weights.rend(), 0.0);  // the small ones first
-  return [weights = std::move(weights), peak](const LobeAngle& direction) {
-    return legendre_series(1 - direction.one_minus_cos, std::span<const double>(weights)) / peak;
+  return [series = HeatSeries(t)](const LobeAngle& direction) {
+    return legendre_series(1 - direction.one_minus_cos, std::span<const double>(series.weights)) /
+           series.peak;
   };
+}
+
+/// P_0(c) to P_last(c) at each node. They do not depend on the sharpness, and to compute them takes most of
+/// the time of a series.
+std::vector<std::vector<double>> polynomials_at_nodes(const LobeRule& rule, int last) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& node : rule.nodes()) {
+    const double c = 1 - node.direction.one_minus_cos;
+    std::vector<double>& row = rows.emplace_back(std::vector{1.0, c});
+    for (int l = 1; l < last; ++l) row.push_back(next_legendre(c, row.end()[-1], row.end()[-2], l));
+  }
+  return rows;
 }
 
 constexpr std::string_view spherical_gaussian = "the spherical Gaussian";
@@ -69,13 +89,24 @@ Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
 /// With the best parameter. In units of the exponent the best sharpness of every kernel lies well inside 1/4
 /// to 8; beyond 2 the heat kernel would have more terms than any fit needs.
 LobeCandidate candidate(const LobeRule& rule, std::string_view name, std::string_view reading) {
+  const double sharpest = name == heat ? 2 : 8;
+  const auto polynomials = name == heat
+                               ? polynomials_at_nodes(rule, last_term(time_of(rule.exponent() * sharpest)))
+                               : std::vector<std::vector<double>>();
   const auto values = [&](double sharpness) {
-    const Kernel kernel = kernel_of(name, rule.exponent() * sharpness, reading);
     std::vector<double> found;
+    if (name == heat) {
+      const HeatSeries series(time_of(rule.exponent() * sharpness));
+      for (const auto& row : polynomials)
+        found.push_back(std::inner_product(series.weights.begin(), series.weights.end(), row.begin(), 0.0) /
+                        series.peak);
+      return found;
+    }
+    const Kernel kernel = kernel_of(name, rule.exponent() * sharpness, reading);
     for (const auto& node : rule.nodes()) found.push_back(kernel(node.direction));
     return found;
   };
-  const KernelFit fit = fit_kernel(rule, values, 0.25, name == heat ? 2 : 8);
+  const KernelFit fit = fit_kernel(rule, values, 0.25, sharpest);
   return {name, fit.rms, fit.parameter, kernel_of(name, rule.exponent() * fit.parameter, reading)};
 }
 
