@@ -109,8 +109,10 @@ void add_subject(CLI::App& command, FitOptions& options) {
 
 CLI::Option* add_round(CLI::App& command, FitOptions& options) {
   const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
-  return add_value(command, "--round", options.round, round, "float|half|bfloat16|decimal:N",
-                   "the best constants in this number format, for a form that is evaluated in it");
+  return add_value(
+      command, "--round", options.round, round, "float|half|bfloat16|decimal:N",
+      "the best constants in this number format, for a form that is evaluated in it; half and bfloat16: of "
+      "built-in families");
 }
 
 /// Adds the options of a study. Named studies take them too, instead of what the file says.

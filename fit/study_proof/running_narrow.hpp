@@ -166,8 +166,6 @@ struct RunningNarrow {
   }
 };
 
-using RunningFloat = RunningNarrow<FloatFormat>;
-
 /// A function without a slope here has only its enclosures, which are wide on wide boxes. Of a GPU only the
 /// functions of `GpuModel` are known, and those that consist of them.
 template <class Format>

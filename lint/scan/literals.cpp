@@ -20,6 +20,15 @@ std::uint32_t count_significant(const Notation& number) {
   return count;
 }
 
+/// Whether # begins a comment here. In Python # begins one, but #define is a line of a shader.
+bool begins_hash_comment(std::string_view text, std::size_t at) {
+  if (text[at] != '#') return false;
+  const std::size_t first = begin_of_run(text, at, is_blank_in_line);
+  if (first > 0 && text[first - 1] != '\n') return true;
+  const std::string_view rest = text.substr(at + 1);
+  return !(rest.starts_with("define ") || rest.starts_with("version ") || rest.starts_with("include "));
+}
+
 /// Where the quote ends that begins at this byte, outside of comments and of other quotes: in its line, or in
 /// the next one behind a backslash. Quotes hide the signs of comments. Empty for another byte, and for an
 /// apostrophe.
@@ -136,14 +145,6 @@ class LiteralReader {
 };
 
 }  // namespace
-
-bool begins_hash_comment(std::string_view text, std::size_t at) {
-  if (text[at] != '#') return false;
-  const std::size_t first = begin_of_run(text, at, is_blank_in_line);
-  if (first > 0 && text[first - 1] != '\n') return true;
-  const std::string_view rest = text.substr(at + 1);
-  return !(rest.starts_with("define ") || rest.starts_with("version ") || rest.starts_with("include "));
-}
 
 Digits digits_of(std::string_view number) {
   Digits result;

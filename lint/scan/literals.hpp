@@ -17,9 +17,6 @@ enum class CommentStyle {
   none,  ///< a text such as Markdown
 };
 
-/// Whether # begins a comment here. In Python # begins one, but #define is a line of a shader.
-bool begins_hash_comment(std::string_view text, std::size_t at);
-
 /// The digits of a decimal number without sign, leading and trailing zeros: "45" and exponent -1 for 0.0450.
 struct Digits {
   std::string text;  ///< empty: the number is 0

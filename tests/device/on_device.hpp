@@ -31,7 +31,7 @@ class Device : public ::testing::Test {
         GTEST_SKIP() << "no device can compute: packages mesa-vulkan-drivers, chromium";
       vulkan_.emplace(DeviceChoice{.words = 3 * drawn_count});
     } catch (const UserError& error) {
-      GTEST_SKIP() << error.what();
+      GTEST_SKIP() << error.what() << ": packages mesa-vulkan-drivers, chromium";
     }
   }
   VulkanDevice& vulkan() { return *vulkan_; }

@@ -24,7 +24,7 @@ F(c, m) is the mean of |rs|^2 and |rp|^2, rs = (c - q)/(c + q), rp = (m^2 c - q)
 import functools
 import sys
 
-from mpmath import asin, cos, fabs, floor, log10, mp, mpc, mpf, pi, quad, sin, sqrt
+from mpmath import asin, cos, fabs, mp, mpc, mpf, pi, quad, sin, sqrt
 
 import make_albedo_references as albedo
 
