@@ -119,6 +119,7 @@ TEST(PlotOption, TargetsOfTwoVariablesAreToldApart) {
       script_of({"fit", "--target", "x y", "--form", "a x + b y", "--over", "x=0:1", "--over", "y=0:1"});
   for (const char* entry : {"ls 10 title 'target, y = 0'", "ls 13 title 'target, y = 1'"})
     expect_has(script, entry);
+  expect_has(script, "size 900,746");  // gnuplot draws three rows: under 44 pixels the last would be cut
 }
 
 TEST(PlotOption, LongTitlesAndLabelsHaveSeveralLines) {

@@ -43,8 +43,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Whether a fix leaves a number of the site alone: behind a name it may be a member, `v.0`; a factor 10^n
-/// stops the fix too.
+/// Whether a fix leaves a number of the site alone: a member such as `v.0`, or one before a factor 10^n.
 bool stays(const LintedSite& site, const std::string& text) {
   return std::ranges::any_of(site.numbers, [&](const LintedNumber& number) {
     return (number.offset > 0 && is_of_name(text[number.offset - 1])) ||
