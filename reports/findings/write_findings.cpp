@@ -43,14 +43,22 @@ std::string summary_of(const FindingReport& report) {
                      set_aside.empty() ? "" : "; " + set_aside);
 }
 
+/// What is neither suppressed nor in the baseline.
+std::vector<const Finding*> found(const FindingReport& report) {
+  std::vector<const Finding*> findings;
+  for (const Finding& finding : report.findings) {
+    if (!finding.suppressed && !finding.is_known) findings.push_back(&finding);
+  }
+  return findings;
+}
+
 /// A line for each finding, as compilers write them: an editor can jump to its place.
 std::string findings_text(const FindingReport& report) {
   std::string text;
-  for (const Finding& finding : report.findings) {
-    if (finding.suppressed || finding.is_known) continue;
-    const std::string place = finding.place ? place_text(*finding.place) + ": " : "";
-    text += fmt::format("{}{}: {} [{}]\n", printable(place), name(finding.level), one_line(finding.message),
-                        finding.rule);
+  for (const Finding* finding : found(report)) {
+    const std::string place = finding->place ? place_text(*finding->place) + ": " : "";
+    text += fmt::format("{}{}: {} [{}]\n", printable(place), name(finding->level), one_line(finding->message),
+                        finding->rule);
   }
   return text + summary_of(report) + "\n";
 }
@@ -93,54 +101,55 @@ std::string command_of(const FindingReport& report, const Finding& finding) {
                      command_data(finding.rule, false));
 }
 
-/// Workflow commands, which GitHub shows at their lines.
+/// Workflow commands, which GitHub shows at their lines: the most severe ones, as it takes ten errors and ten
+/// warnings of a step.
 std::string findings_github(const FindingReport& report) {
+  constexpr std::size_t most = 10;
+  std::vector<const Finding*> findings = found(report);
+  std::ranges::stable_sort(findings, {}, &Finding::level);
   std::string text;
-  for (const Finding& finding : report.findings) {
-    if (!finding.suppressed && !finding.is_known) text += command_of(report, finding);
-  }
+  for (std::size_t i = 0; i < std::min(findings.size(), most); ++i) text += command_of(report, *findings[i]);
+  if (findings.size() > most) text += fmt::format("{} more have no annotation\n", findings.size() - most);
   return text + summary_of(report) + "\n";
 }
-
-/// The most rows of a table: a job summary may have 1 MiB, and a row has at most 4 KiB: two texts of
-/// `one_line`, of 600 bytes, each shown as up to 4, half as much again for escapes, and less for the rest.
-constexpr std::size_t most_rows = 200;
 
 /// A cell of bounded size.
 OthersText short_cell(std::string_view text) {
   return one_line(text);
 }
 
-/// A table of findings, with what is left out.
+/// The most bytes of a table: the summary of a job has two, and may have 1 MiB.
+constexpr std::size_t most_bytes = 500'000;
+
+/// A table of findings, with how many are left out.
 std::string finding_table(const std::vector<const Finding*>& findings, bool has_reasons) {
   if (findings.empty()) return "";
   Table table{{"level", "place", "rule", "finding"}};
   if (has_reasons) table.columns.emplace_back("reason");
-  for (std::size_t i = 0; i < std::min(findings.size(), most_rows); ++i) {
-    const Finding& finding = *findings[i];
+  for (const Finding* finding : findings) {
     auto& row = table.rows.emplace_back();
-    row = {std::string(name(finding.level)), short_cell(finding.place ? place_text(*finding.place) : ""),
-           short_cell(finding.rule), short_cell(finding.message)};
-    if (has_reasons) row.emplace_back(short_cell(*finding.suppressed));
+    row = {std::string(name(finding->level)), short_cell(finding->place ? place_text(*finding->place) : ""),
+           short_cell(finding->rule), short_cell(finding->message)};
+    if (has_reasons) row.emplace_back(short_cell(*finding->suppressed));
   }
-  std::string text = "\n" + write_markdown(table, Precision::report);
-  if (findings.size() > most_rows)
-    text += fmt::format("\n{} more are not shown.\n", findings.size() - most_rows);
-  return text;
+  std::string text = write_markdown(table, Precision::report);
+  // All rows are as wide as the widest.
+  if (text.size() > most_bytes) {
+    table.rows.resize(table.rows.size() * most_bytes / text.size());
+    text = write_markdown(table, Precision::report) +
+           fmt::format("\n{} more are not shown.\n", findings.size() - table.rows.size());
+  }
+  return "\n" + text;
 }
 
 /// A summary for people, such as the job summary of GitHub ($GITHUB_STEP_SUMMARY).
 std::string findings_markdown(const FindingReport& report) {
-  std::vector<const Finding*> found, suppressed;
+  std::vector<const Finding*> suppressed;
   for (const Finding& finding : report.findings) {
-    if (finding.suppressed) {
-      suppressed.push_back(&finding);
-    } else if (!finding.is_known) {
-      found.push_back(&finding);
-    }
+    if (finding.suppressed) suppressed.push_back(&finding);
   }
   const std::string reasons = finding_table(suppressed, true);
-  return fmt::format("### shadefit {}\n{}{}{}", summary_of(report), finding_table(found, false),
+  return fmt::format("### shadefit {}\n{}{}{}", summary_of(report), finding_table(found(report), false),
                      reasons.empty() ? "" : "\nSuppressed:\n", reasons);
 }
 

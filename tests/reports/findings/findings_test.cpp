@@ -185,6 +185,7 @@ TEST(Findings, AsWorkflowCommands) {
       "[unknown-constant]\n"
       "lint failed: 1 error, 1 warning in 812 files; 1 suppressed, 1 known\n");
   FindingReport note = usual();
+  note.findings.resize(1);
   note.findings[0].level = FindingLevel::note;
   EXPECT_TRUE(write_findings(note, FindingFormat::github).starts_with("::notice file="));
 }
@@ -220,16 +221,35 @@ Suppressed:
             "### shadefit lint passed: nothing found in 812 files\n");
 }
 
+/// What GitHub takes: ten annotations of a step, https://docs.github.com/actions (10 errors, 10 warnings); a
+/// summary of 1 MiB; SARIF of 10 MB when compressed, with 25 000 results of a run.
+TEST(Findings, AThousandAreWhatGitHubTakes) {
+  FindingReport thousand = usual();
+  thousand.findings.assign(1000, thousand.findings[1]);
+  thousand.findings[998].level = FindingLevel::error;
+  for (Finding& finding : thousand.findings) finding.message = std::string(300, 'm');
+  const std::string commands = write_findings(thousand, FindingFormat::github);
+  EXPECT_TRUE(commands.starts_with("::error ")) << "the most severe first";
+  EXPECT_EQ(std::ranges::count(commands, '\n'), 12);
+  EXPECT_NE(commands.find("\n990 more have no annotation\nlint failed: 1 error, 999 warnings in 812 files"),
+            std::string::npos);
+  const std::string summary = write_findings(thousand, FindingFormat::markdown);
+  EXPECT_EQ(std::ranges::count(summary, '\n'), 1004) << "all, below three lines and two of the table's head";
+  EXPECT_LT(summary.size(), 1u << 20);
+  EXPECT_LT(write_findings(thousand, FindingFormat::sarif).size(), 10'000'000);
+}
+
 TEST(Findings, MarkdownShowsOddTextsAndLeavesRowsOut) {
   const std::string text = write_findings(odd(), FindingFormat::markdown);
   EXPECT_NE(text.find("&lt;d&gt; &amp; \\]\\]&gt; {e} &#124; \\`f\\` \\*g\\* %h, i: j\\\\x0a::error::"),
             std::string::npos)
       << text;
   FindingReport many = usual();
-  many.findings.assign(203, many.findings[0]);
-  EXPECT_TRUE(write_findings(many, FindingFormat::markdown).ends_with("|\n\n3 more are not shown.\n"));
-  many.findings.resize(200);
-  EXPECT_TRUE(write_findings(many, FindingFormat::markdown).ends_with("|\n"));
+  many.findings.assign(20'000, many.findings[0]);
+  const std::string cut = write_findings(many, FindingFormat::markdown);
+  EXPECT_LT(cut.size(), 1u << 19);
+  const auto rows = std::ranges::count(cut, '\n') - 6;
+  EXPECT_TRUE(cut.ends_with("|\n\n" + std::to_string(20'000 - rows) + " more are not shown.\n")) << rows;
 }
 
 }  // namespace
