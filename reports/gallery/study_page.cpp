@@ -50,6 +50,14 @@ std::string behind(const StudyComparison& comparison) {
   return for_html(given.empty() ? given : ", " + given);
 }
 
+/// The heading of a figure, with the id that addresses name: ID.html#error, or ID.html#error-g-0.3 for a
+/// given constant.
+std::string figure_heading(const char* id, const std::string& text, const StudyComparison& comparison) {
+  OthersText whole = std::string(id);
+  for (const auto& [name, value] : comparison.study.given) whole += "-" + name + "-" + value;
+  return fmt::format("<h2 id=\"{}\">{}{}</h2>\n", for_html(whole), text, behind(comparison));
+}
+
 std::string keys_of(const std::vector<const StudyContender*>& contenders) {
   std::string keys;
   for (std::size_t i = 0; i < contenders.size(); ++i)
@@ -69,7 +77,7 @@ std::string line_in_words(const StudyComparison& comparison, const std::optional
 std::string ramps(const StudyComparison& comparison, const std::vector<const StudyContender*>& contenders) {
   const auto [svg, line] = grey_ramps(comparison, contenders);
   if (svg.empty()) return "";
-  return "<h2>As greys</h2>\n" + svg +
+  return figure_heading("greys", "As greys", comparison) + svg +
          fmt::format("<p class=\"soft\">Left to right over {}. {}</p>\n", line_in_words(comparison, line),
                      comparison.is_encoded
                          ? "Values are a signal for a display: 255 times a value is its code."
@@ -80,15 +88,15 @@ std::string ramps(const StudyComparison& comparison, const std::vector<const Stu
 std::string picture(const StudyComparison& comparison) {
   const auto contenders = shown(comparison);
   if (const std::string curves = error_curve_svg(comparison, contenders); !curves.empty())
-    return fmt::format("<h2>Error curve: {}{}</h2>\n{}{}{}", curve_in_words(comparison.error),
-                       behind(comparison), curves, keys_of(contenders), ramps(comparison, contenders));
+    return figure_heading("error", "Error curve: " + curve_in_words(comparison.error), comparison) + curves +
+           keys_of(contenders) + ramps(comparison, contenders);
   const std::string maps = heat_map_svg(comparison, contenders);
   if (maps.empty()) return "";
   OthersText words =
       std::string("Blue is too large, red too small; the strongest colour is the largest error of both.");
   if (contenders.size() > 1) words += " Right: " + words_of(*contenders[1]) + ".";
-  return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n{}", behind(comparison), maps, for_html(words),
-                     ramps(comparison, contenders));
+  return figure_heading("error", "Error map", comparison) + maps +
+         fmt::format("<p>{}</p>\n", for_html(words)) + ramps(comparison, contenders);
 }
 
 std::string evidence_in_words(const ContenderInFormat& in_format) {
