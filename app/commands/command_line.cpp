@@ -14,6 +14,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/declare_commands.hpp"
+#include "app/commands/version.hpp"
 #include "app/options/option_values.hpp"
 #include "app/output/interrupt.hpp"
 #include "fit/input/known.hpp"
@@ -121,7 +122,7 @@ Outcome parse_and_run(const std::vector<std::string>& given, const Checkpoint& c
   if (given.empty())
     return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), given);
   const std::string& first = given.front();
-  if (first == "--version") return {0, app.version() + "\n", ""};
+  if (first == "--version") return {0, app.version() + "\n" + libraries_inside() + "\n", ""};
   if (first == "--completion" && given.size() == 2) return {0, completion(app, given[1]), ""};
   const bool is_help = first == "help" || asks_for_help(first);
   if (is_help && given.size() == 1) return {0, help_text(app, app), ""};

@@ -13,7 +13,7 @@ namespace {
 using testing::expect_has;
 
 TEST(Cite, HasTheVersionAndTitleOfCitationCff) {
-  const std::string version = run_command_line({"--version"}).out.substr(std::string("shadefit ").size());
+  const std::string said = run_command_line({"--version"}).out, version = said.substr(9, said.find('\n') - 8);
   const std::string citation = read_file(SHADEFIT_SOURCE_DIR "/CITATION.cff");
   const std::string title = "shadefit: refitted and checked approximation constants of real-time shading";
   expect_has(citation, "\nversion: " + version);
