@@ -33,9 +33,14 @@ if(TARGET shadefit)
   # The command looks for them beside itself, in ../share.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/shadefit COMPONENT command
     FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
+  # Debian's zsh looks in a folder of its own.
+  set(shadefit_zsh site-functions)
+  if(SHADEFIT_PORTABLE)
+    set(shadefit_zsh vendor-completions)
+  endif()
   # The command writes its own manual page and completions, each time it is linked.
   foreach(page IN ITEMS man=${CMAKE_INSTALL_MANDIR}/man1/shadefit.1 bash=${CMAKE_INSTALL_DATADIR}/bash-completion/completions/shadefit
-      zsh=${CMAKE_INSTALL_DATADIR}/zsh/site-functions/_shadefit)
+      zsh=${CMAKE_INSTALL_DATADIR}/zsh/${shadefit_zsh}/_shadefit)
     string(REGEX MATCH "^([a-z]+)=(.*)/([^/]+)$" page "${page}")
     set(made ${PROJECT_BINARY_DIR}/completion/${CMAKE_MATCH_1}/${CMAKE_MATCH_3})
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/completion/${CMAKE_MATCH_1})
