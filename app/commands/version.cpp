@@ -6,7 +6,6 @@
 #include <jpeglib.h>
 #include <mpfi.h>
 #include <png.h>
-#include <toml++/impl/version.h>
 #include <zlib.h>
 
 #include <CLI/Version.hpp>
@@ -39,7 +38,7 @@ std::string libraries_inside() {
       version_of(LIBJPEG_TURBO_VERSION_NUMBER, 1000000, 1000), PNG_LIBPNG_VER_STRING, _GLIBCXX_RELEASE,
       mpfi_get_version(), mpfr_get_version(),
       version_of_parts(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH),
-      version_of_parts(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH), ZLIB_VERSION);
+      SHADEFIT_TOML_VERSION, ZLIB_VERSION);
 }
 
 }  // namespace shadefit
