@@ -38,7 +38,12 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
     const double x = panels_->first(place.panel).at(place.s);
     return Cosine<double>{x, 1 - x};
   };
-  problem_.error = panel_curve(study, error_formula(study), CurveOf::formula, panels_, places);
+  Symbolic signed_error = error_formula(study);
+  // A relative error of a negative target is negative where the form lies above it.
+  if (constraints.one_sided && study.error == Error::relative &&
+      values_at_nodes(study, study.target, nodes_of(study, {edges}, gauss_sizes[0])).front() < 0)
+    signed_error = -signed_error;
+  problem_.error = panel_curve(study, signed_error, CurveOf::formula, panels_, places);
   problem_.deviation = problem_.error;
   if (constraints.at_most || constraints.at_least)
     problem_.bounded = panel_curve(study, study.form, CurveOf::formula, panels_, places);

@@ -88,6 +88,24 @@ TEST(ConstrainedStudy, FindsWhatIsKnown) {
   }
 }
 
+// Above a negative target is below its mirror image, also where the error is divided by the target.
+TEST(ConstrainedStudy, ANegativeTargetMirrorsAPositiveOne) {
+  for (const Error error : {Error::absolute, Error::relative}) {
+    for (const auto solve : {+[](const Study&s, Side side) { return fit_of(s, {.one_sided = side}); },
+                             +[](const Study&s, Side side) {
+                               return solve_minimax_study(read_study(s), {.one_sided = side}, {});
+                             }}) {
+      Study positive = study_of("exp(x)", "a + b x"), negative = study_of("-exp(x)", "a + b x");
+      positive.error = negative.error = error;
+      const StudyFit below = solve(positive, Side::below), above = solve(negative, Side::above);
+      ASSERT_EQ(name(above.status), "converged") << above.why;
+      for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(above.parameters[i], -below.parameters[i], 1e-13)
+            << name(error) << ", " << above.names[i];
+    }
+  }
+}
+
 /// By how much the form breaks a constraint at any of many places.
 double violation(const Study& study, const Constraints& constraints, const std::vector<double>& parameters) {
   const ReadStudy read = read_study(study);
