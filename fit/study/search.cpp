@@ -14,6 +14,7 @@
 #include "fit/scalars/likely_sizes.hpp"
 #include "fit/study/projection.hpp"
 #include "fit/study/require_values.hpp"
+#include "fit/study/wave_starts.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -289,7 +290,11 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   SearchStarts wanted = starts_of(study, nonlinear);
   if (!study.rows && nonlinear > 0) wanted.units = units_of(study, target);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
-  if (study.has_only_starts && nonlinear > 0) wanted.count = 0;
+  if (study.has_only_starts && nonlinear > 0) {
+    wanted.count = 0;
+  } else if (nonlinear > 0) {
+    for (std::vector<double>& start : wave_starts(study)) wanted.given.push_back(std::move(start));
+  }
   if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     // Fewer nodes, but still more than parameters, show the same basins.
     const std::size_t few = has_finer_nodes ? search_rule(study) : 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "fit/fit.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/refusal.hpp"
 
@@ -145,6 +147,25 @@ Study study_of(const FittableFamily& family, double exponent) {
 /// The exponents at which a family is compared.
 std::vector<double> exponents_of(const FittableFamily& family, const std::vector<double>& exponents) {
   return family.has_exponent() ? exponents : std::vector<double>{0};
+}
+
+// A descent finds a frequency only from near it. sin(12 x) by b sin(a x) gave -13.5 from the fixed starts.
+TEST(Study, FrequenciesAreFoundInTheTarget) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> frequency(4, 40), amplitude(0.3, 2), rate(0, 1);
+  for (int i = 0; i < 20; ++i) {
+    const auto number = [](double value) { return fmt::format("{:.3f}", value); };
+    const std::string a = number(frequency(random)), k = number(rate(random)), b = number(amplitude(random));
+    const Study wave{.target = b + " sin(" + a + " x)", .form = "b sin(a x)", .over = {{"x", "0", "3"}}};
+    const Study damped{.target = b + " exp(-" + k + " x) sin(2 pi (" + a + "*x/5 + 0.3))",
+                       .form = "exp(-k x) (b sin(2 pi a x) + d cos(2 pi a x))",
+                       .over = {{"x", "0", "2"}}};
+    const StudyFit first = fit_of(wave), second = fit_of(damped);
+    EXPECT_NEAR(std::abs(first.parameters[1]), std::stod(a), 1e-9) << wave.target;
+    const auto at = std::ranges::find(second.names, "a") - second.names.begin();
+    EXPECT_NEAR(std::abs(second.parameters[static_cast<std::size_t>(at)]), std::stod(a) / 5, 1e-9)
+        << damped.target;
+  }
 }
 
 StudyFit fit_of(const Study& study, Norm norm) {
