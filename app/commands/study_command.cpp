@@ -90,8 +90,10 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
   if (first.status != Status::converged) return text;
   if (first.names.empty())
     return text + fmt::format("Nothing was fitted: {} are given.\n", held_text(studies.front().asked()));
-  return text + (first.is_global ? "The form is linear in its parameters: the best is global.\n"
-                                 : fmt::format("The best of {} starts.\n", first.starts));
+  if (first.is_global) return text + "The form is linear in its parameters: the best is global.\n";
+  const std::string often =
+      first.descents == 0 ? "" : fmt::format("; {} of {} descents ended there", first.lowest, first.descents);
+  return text + fmt::format("The best of {} starts{}.\n", first.starts, often);
 }
 
 /// The fits of the first form, one for each combination of given constants, with the verdicts on the

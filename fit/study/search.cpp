@@ -4,17 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "fit/least_squares/levenberg.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/likely_sizes.hpp"
+#include "fit/study/likely_starts.hpp"
 #include "fit/study/projection.hpp"
 #include "fit/study/require_values.hpp"
-#include "fit/study/wave_starts.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -45,6 +47,9 @@ int octaves_from_one(const std::vector<double>& values) {
   for (const double value : values) largest = std::max(largest, std::abs(value));
   return largest == 0 ? 0 : static_cast<int>(std::ceil(std::abs(std::log2(largest))));
 }
+
+/// Constants of shading are between 1/64 and 64 in size, because their variables are of the size of 1.
+constexpr int octaves_of_shading = 6;
 
 /// If there are more rows than this, only some take part in the first steps: they show the same basins.
 constexpr std::size_t most_scanned = 2000;
@@ -170,16 +175,38 @@ class Descents {
 /// `unknowns` are the indices of the parameters that do not enter linearly.
 std::vector<Vector> starting_places(const SearchStarts& wanted, const std::vector<std::size_t>& unknowns) {
   std::vector<Vector> places;
-  const auto append = [&](const auto& unit_of_parameter) {
-    for (std::size_t n = 1; n <= wanted.count; ++n) {
+  const auto append = [&](const auto& value) {
+    for (std::size_t n = wanted.first; n < wanted.first + wanted.count; ++n) {
       Vector& q = places.emplace_back(static_cast<Eigen::Index>(unknowns.size()));
       for (std::size_t i = 0; i < unknowns.size(); ++i)
-        q[static_cast<Eigen::Index>(i)] =
-            unit_of_parameter(unknowns[i]) * spread(radical_inverse(n, primes[i]), wanted.octaves);
+        q[static_cast<Eigen::Index>(i)] = value(unknowns[i], radical_inverse(n, primes[i]));
     }
   };
-  append([](std::size_t) { return 1.0; });
-  if (!wanted.units.empty()) append([&](std::size_t parameter) { return wanted.units[parameter]; });
+  append([&](std::size_t, double u) { return spread(u, wanted.octaves); });
+  if (!wanted.units.empty())
+    append([&](std::size_t i, double u) { return wanted.units[i] * spread(u, wanted.octaves); });
+  return places;
+}
+
+/// Starts with positions in their ranges: as many as they come, and as many that are the lowest of many more.
+/// The lowest ones alone would lie in few basins.
+std::vector<Vector> placed(const SearchStarts& wanted, const Descents& scan) {
+  constexpr std::size_t looks = 24;
+  std::vector<Vector> places;
+  for (std::size_t n = 0; n < wanted.count * (1 + looks); ++n) {
+    Vector& q = places.emplace_back(static_cast<Eigen::Index>(scan.unknowns().size()));
+    for (std::size_t i = 0; i < scan.unknowns().size(); ++i) {
+      const std::size_t parameter = scan.unknowns()[i];
+      const double u = radical_inverse((1 + looks) * (wanted.first - 1) + n + 1, primes[i]);
+      const auto& range = wanted.ranges[parameter];
+      q[static_cast<Eigen::Index>(i)] = range ? std::lerp((*range)[0], (*range)[1], u)
+                                              : wanted.sizes[parameter] * spread(u, octaves_of_shading);
+    }
+  }
+  const auto as_they_come = places.begin() + static_cast<std::ptrdiff_t>(wanted.count);
+  const std::vector<SearchedPlace> lowest = scan.all_at({as_they_come, places.end()});
+  places.erase(as_they_come, places.end());
+  for (std::size_t i = 0; i < std::min(wanted.count, lowest.size()); ++i) places.push_back(lowest[i].q);
   return places;
 }
 
@@ -192,13 +219,34 @@ std::vector<Vector> lower_half(const std::vector<SearchedPlace>& places) {
 
 /// Adds the lowest ends that are not near an earlier one: near ends are in the same basin.
 void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<Vector>& starts) {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t most = 16;
   constexpr double near = 0.05;  // relative, in every parameter
   for (std::size_t i = 0; i < ends.size() && starts.size() < most; ++i) {
     const auto is_near = [&](const Vector& start) {
       return (start - ends[i].q).cwiseAbs().cwiseQuotient(ends[i].q.cwiseAbs()).maxCoeff() < near;
     };
     if (std::none_of(starts.begin(), starts.end(), is_near)) starts.push_back(ends[i].q);
+  }
+}
+
+/// Goes on until as many more starts as there were, at least 32, find nothing lower; at most 1024 in all.
+template <class Search>
+void search_on(SearchedStudy& searched, SearchStarts& wanted, const Search& search) {
+  constexpr std::size_t least = 32, most = 1024;
+  constexpr double lower = 1 - 1e-6;  // of the squares: ends in one basin differ by less
+  const std::size_t sets = wanted.sets();
+  wanted.given.clear();
+  for (bool is_lower = wanted.count > 0; is_lower;) {
+    const auto so_far = static_cast<std::size_t>(searched.starts);
+    wanted.first += wanted.count;
+    wanted.count = std::min(std::max(least, so_far), most - std::min(most, so_far)) / sets;
+    if (wanted.count == 0) return;
+    std::vector<StudyCandidate> more = search();
+    is_lower = !more.empty() && (searched.candidates.empty() ||
+                                 more.front().square < lower * searched.candidates.front().square);
+    std::ranges::move(more, std::back_inserter(searched.candidates));
+    std::ranges::stable_sort(searched.candidates, {}, &StudyCandidate::square);
+    searched.starts += static_cast<int>(wanted.count * sets);
   }
 }
 
@@ -213,7 +261,7 @@ std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& st
   return result;
 }
 
-std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& target) {
+std::vector<double> sizes_of(const ReadStudy& study, const std::vector<double>& target) {
   std::map<std::string, double> sizes;
   for (const StudyAxis& axis : study.axes)
     sizes[axis.variable] = std::log2(std::max(std::abs(axis.lower), std::abs(axis.upper)));
@@ -223,12 +271,16 @@ std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& 
   for (const double octaves :
        likely_sizes(study.form, study.parameters, sizes, largest > 0 ? std::log2(largest) : 0))
     units.push_back(unit_of(std::exp2(octaves)));
+  return units;
+}
+
+std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& target) {
+  const std::vector<double> units = sizes_of(study, target);
   const bool are_near = std::all_of(units.begin(), units.end(), [](double unit) { return unit == 1; });
   return are_near ? std::vector<double>{} : units;
 }
 
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
-  constexpr int octaves_of_shading = 6;
   SearchStarts starts{
       nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96}), octaves_of_shading, {}};
   if (!study.rows || nonlinear == 0) return starts;
@@ -254,7 +306,9 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   } else {
     if (wanted.count > 0) {
       const Descents scan(error, coarse, wanted.units, checkpoint);
-      ends = scan.all_at(starting_places(wanted, problem.unknowns()));
+      std::vector<Vector> places = starting_places(wanted, problem.unknowns());
+      if (!wanted.ranges.empty()) std::ranges::move(placed(wanted, scan), std::back_inserter(places));
+      ends = scan.all_at(places);
       for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
     }
     std::vector<Vector> starts;
@@ -294,24 +348,26 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
     wanted.count = 0;
   } else if (nonlinear > 0) {
     for (std::vector<double>& start : wave_starts(study)) wanted.given.push_back(std::move(start));
+    wanted.ranges = positions_of(study);
+    if (!wanted.ranges.empty()) wanted.sizes = sizes_of(study, target);
   }
-  if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
-    // Fewer nodes, but still more than parameters, show the same basins.
-    const std::size_t few = has_finer_nodes ? search_rule(study) : 0;
-    const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules[few]));
-    result.candidates = search_basins(error, coarse, result.sampled, wanted, checkpoint);
-  } else if (study.rows && nodes.weights.size() > most_scanned) {
-    result.candidates =
-        search_basins(error, SampledStudy<double>(error, thinned(nodes)), result.sampled, wanted, checkpoint);
-  } else {
-    result.candidates = search_basins(error, result.sampled, result.sampled, wanted, checkpoint);
+  // Fewer nodes, but still more than parameters, show the same basins.
+  std::optional<SampledStudy<double>> coarse;
+  if (study.rows && nodes.weights.size() > most_scanned) {
+    coarse.emplace(error, thinned(nodes));
+  } else if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
+    coarse.emplace(error, nodes_of(study, edges, fit_rules[has_finer_nodes ? search_rule(study) : 0]));
   }
+  const auto search = [&] {
+    return search_basins(error, coarse ? *coarse : result.sampled, result.sampled, wanted, checkpoint);
+  };
+  result.candidates = search();
+  result.starts = static_cast<int>(wanted.sets() * wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
+  if (nonlinear > 0) search_on(result, wanted, search);
   if (result.candidates.empty())
     throw UserError(
         "--form has a pole, or no finite value, from every start: give another by --start, for example --start " +
         study.parameters.front() + "=2");
-  const std::size_t sets = wanted.units.empty() ? 1 : 2;
-  result.starts = static_cast<int>(sets * wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
   return result;
 }
 

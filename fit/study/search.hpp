@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "fit/study/study_problem.hpp"
@@ -16,12 +18,20 @@ struct StudyCandidate {
 
 /// Where descents start.
 struct SearchStarts {
-  std::size_t count;  ///< of a low-discrepancy set
+  std::size_t count;  ///< of a low-discrepancy sequence, from its element `first` on
   int octaves;        ///< its values are of either sign, of sizes from 2^-octaves to 2^octaves
   std::vector<std::vector<double>> given;
   /// The units of all parameters, powers of two, if some are far from 1. Then as many starts again have these
   /// units.
   std::vector<double> units = {};
+  /// If the form has positions, as d of (x - d)^2: the range of each parameter that is one, empty for the
+  /// others. Then twice as many starts again have positions evenly in their ranges, and the others around
+  /// `sizes`.
+  std::vector<std::optional<std::array<double, 2>>> ranges = {};
+  std::vector<double> sizes = {};
+  std::size_t first = 1;
+
+  std::size_t sets() const { return std::size_t{1} + !units.empty() + 2 * !ranges.empty(); }
 };
 
 /// The ends of descents, best first, without those that have a pole or no finite error. One entry if the form
@@ -70,5 +80,7 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear);
 /// The units of all parameters for `SearchStarts`, from the ranges of the variables and from the size of the
 /// values of the target (fit/scalars/likely_sizes.hpp). Empty if all are near 1.
 std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& target);
+/// The same, of all, near 1 or not.
+std::vector<double> sizes_of(const ReadStudy& study, const std::vector<double>& target);
 
 }  // namespace shadefit

@@ -79,6 +79,8 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   StudyFit fit = settled_fit(rules, searched, chosen, flat);
   fit.names = study.parameters;
   fit.starts = searched.starts;
+  fit.descents = searched.candidates.size();
+  fit.lowest = best.size();
   fit.is_global = searched.is_linear;
   if (fit.status == Status::not_converged) require_finite_form(study, Norm::least_squares);
   if (fit.status != Status::converged) return fit;

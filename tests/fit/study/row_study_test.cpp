@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <random>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fit/study/search.hpp"
@@ -33,6 +36,43 @@ StudyFit fit_of_rows(const Study& study) {
 void expect_near_relative(double computed, double expected, double tolerance, const std::string& what) {
   EXPECT_NEAR(computed / expected, 1, tolerance)
       << what << ": expected " << to_text(expected) << ", computed " << to_text(computed);
+}
+
+/// The shapes of NIST's regression problems, with random parameters and noise: no fit is worse than the
+/// parameters that made the rows.
+TEST(RowStudy, PeaksRatesAndLogisticsAreFoundWithoutAStart) {
+  std::mt19937 random(1);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int seed = 0; seed < 20; ++seed) {
+    const double b1 = between(60, 120), b2 = between(0.005, 0.02), b4 = between(50, 110),
+                 b5 = between(12, 30), b7 = between(150, 210), b8 = between(12, 30), b3 = between(50, 120),
+                 b6 = between(50, 120);
+    const auto peak = [](double x, double at, double width) {
+      return std::exp(-std::pow((x - at) / width, 2));
+    };
+    const std::vector<std::pair<std::string, std::function<double(double)>>> shapes{
+        {"b1*exp(-b2*x) + b3*exp(-(x-b4)^2/b5^2) + b6*exp(-(x-b7)^2/b8^2)",
+         [=](double x) { return b1 * std::exp(-b2 * x) + b3 * peak(x, b4, b5) + b6 * peak(x, b7, b8); }},
+        {"b1*exp(-b2*x) + b3*exp(-b4*x)",
+         [=](double x) { return b1 * std::exp(-b2 * x) + b3 * std::exp(-b2 * b5 / 3 * x); }},
+        {"b1/(1 + exp(b2 - b3*x))", [=](double x) { return b1 / (1 + std::exp(b5 / 4 - b2 * 5 * x)); }}};
+    for (const auto& [form, truth] : shapes) {
+      MeasuredRows rows{OthersText("made.csv"), {{}}, {}, {}};
+      double square = 0;
+      for (int i = 1; i <= 60; ++i) {
+        const double x = 4 * i;
+        const double noise = between(-2, 2);
+        square += noise * noise;
+        rows.places[0].push_back(x);
+        rows.value.push_back(truth(x) + noise);
+      }
+      const StudyFit fit = fit_of_rows(study_of_rows(form, rows));
+      ASSERT_EQ(name(fit.status), "converged") << form << ", seed " << seed << ": " << fit.why;
+      EXPECT_LE(fit.rms_error, std::sqrt(square / 60)) << form << ", seed " << seed;
+    }
+  }
 }
 
 const MeasuredRows measured_line{

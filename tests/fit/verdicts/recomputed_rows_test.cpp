@@ -1,4 +1,4 @@
-#include "fit/study/recomputed_rows.hpp"
+#include "fit/verdicts/recomputed_rows.hpp"
 
 #include <gtest/gtest.h>
 

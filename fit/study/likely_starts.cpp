@@ -1,4 +1,4 @@
-#include "fit/study/wave_starts.hpp"
+#include "fit/study/likely_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,27 @@ std::vector<double> strongest(std::vector<double> values, double length, std::si
   return frequencies;
 }
 
+void find_positions(const Symbolic& formula, const ReadStudy& study,
+                    std::vector<std::optional<std::array<double, 2>>>& ranges) {
+  if (formula.kind() == Symbolic::Kind::subtract) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      const auto axis = std::ranges::find(study.axes, formula.part(side).name(), &StudyAxis::variable);
+      const auto parameter = std::ranges::find(study.parameters, formula.part(1 - side).name());
+      if (axis != study.axes.end() && parameter != study.parameters.end())
+        ranges[static_cast<std::size_t>(parameter - study.parameters.begin())] = {axis->lower, axis->upper};
+    }
+  }
+  for (const Symbolic& part : formula.parts()) find_positions(part, study, ranges);
+}
+
 }  // namespace
+
+std::vector<std::optional<std::array<double, 2>>> positions_of(const ReadStudy& study) {
+  std::vector<std::optional<std::array<double, 2>>> ranges(study.parameters.size());
+  find_positions(study.form, study, ranges);
+  const bool has_any = std::ranges::any_of(ranges, [](const auto& range) { return range.has_value(); });
+  return has_any ? ranges : std::vector<std::optional<std::array<double, 2>>>{};
+}
 
 std::vector<std::vector<double>> wave_starts(const ReadStudy& study) {
   if (study.rows || study.axes.size() != 1) return {};
