@@ -35,14 +35,13 @@ struct StudyFit {
   std::string why = {};  ///< of a fit that did not converge
   /// How many digits of the worst parameter another quadrature rule confirms in long double, at most 14.
   int digits = 0;
-  double rms_error = 0;         ///< sqrt(integral of density * error^2 / integral of density), weighted
-  StudyExtremum max_abs_error;  ///< of form - target, sampled and refined; of rows the largest residual
-  int starts = 0;               ///< from how many starts the optimum was looked for
-  std::size_t descents =
-      0;                   ///< of least squares: how many of them went to an end, distinct ones of each round
-  std::size_t lowest = 0;  ///< and how many of those ended here
-  bool is_global = false;  ///< proven to be the best of all: the form is linear in its parameters
-  std::vector<double> other = {};              ///< of an ambiguous fit: the other curve, as good
+  double rms_error = 0;            ///< sqrt(integral of density * error^2 / integral of density), weighted
+  StudyExtremum max_abs_error;     ///< of form - target, sampled and refined; of rows the largest residual
+  int starts = 0;                  ///< from how many starts the optimum was looked for
+  std::size_t descents = 0;        ///< of least squares: how many went to an end
+  std::size_t lowest = 0;          ///< and how many of them ended here
+  bool is_global = false;          ///< proven to be the best of all: the form is linear in its parameters
+  std::vector<double> other = {};  ///< of an ambiguous fit: the other curve, as good
   std::optional<double> level = std::nullopt;  ///< of a minimax fit: the largest |weighted error|
   /// Of a minimax fit. If not, other parameters have the level too, and these the least mean square of all.
   bool is_unique = true;
