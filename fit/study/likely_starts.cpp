@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
-#include <ranges>
 #include <set>
 #include <string>
 
@@ -59,8 +59,9 @@ std::vector<double> strongest(std::vector<double> values, double length, std::si
   for (std::size_t i = 1; i + 1 < power.size(); ++i)
     if (power[i] > power[i - 1] && power[i] >= power[i + 1]) peaks.push_back(i);
   std::ranges::stable_sort(peaks, std::ranges::greater(), [&](std::size_t i) { return power[i]; });
+  peaks.resize(std::min(peaks.size(), most));
   std::vector<double> frequencies;
-  for (const std::size_t peak : peaks | std::views::take(most))
+  for (const std::size_t peak : peaks)
     frequencies.push_back(std::numbers::pi * static_cast<double>(peak) / length);
   return frequencies;
 }
