@@ -51,6 +51,9 @@ int octaves_from_one(const std::vector<double>& values) {
 /// Constants of shading are between 1/64 and 64 in size, because their variables are of the size of 1.
 constexpr int octaves_of_shading = 6;
 
+/// The squares at the ends of descents in one basin differ by at most this share.
+constexpr double same_square = 1e-6;
+
 /// If there are more rows than this, only some take part in the first steps: they show the same basins.
 constexpr std::size_t most_scanned = 2000;
 
@@ -172,37 +175,40 @@ class Descents {
   double least_change_;  ///< of the square: a smaller one is left to Newton's method
 };
 
-/// `unknowns` are the indices of the parameters that do not enter linearly.
+/// Places from elements `first` on of Halton's points. `unknowns` are the indices of the parameters that do
+/// not enter linearly; `value` makes the value of one from its number in [0, 1).
+template <class Value>
+std::vector<Vector> halton_places(std::size_t first, std::size_t count,
+                                  const std::vector<std::size_t>& unknowns, const Value& value) {
+  std::vector<Vector> places(count, Vector(static_cast<Eigen::Index>(unknowns.size())));
+  for (std::size_t n = 0; n < count; ++n) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      places[n][static_cast<Eigen::Index>(i)] = value(unknowns[i], radical_inverse(first + n, primes[i]));
+  }
+  return places;
+}
+
 std::vector<Vector> starting_places(const SearchStarts& wanted, const std::vector<std::size_t>& unknowns) {
-  std::vector<Vector> places;
-  const auto append = [&](const auto& value) {
-    for (std::size_t n = wanted.first; n < wanted.first + wanted.count; ++n) {
-      Vector& q = places.emplace_back(static_cast<Eigen::Index>(unknowns.size()));
-      for (std::size_t i = 0; i < unknowns.size(); ++i)
-        q[static_cast<Eigen::Index>(i)] = value(unknowns[i], radical_inverse(n, primes[i]));
-    }
-  };
-  append([&](std::size_t, double u) { return spread(u, wanted.octaves); });
+  std::vector<Vector> places = halton_places(
+      wanted.first, wanted.count, unknowns, [&](std::size_t, double u) { return spread(u, wanted.octaves); });
   if (!wanted.units.empty())
-    append([&](std::size_t i, double u) { return wanted.units[i] * spread(u, wanted.octaves); });
+    std::ranges::move(
+        halton_places(wanted.first, wanted.count, unknowns,
+                      [&](std::size_t i, double u) { return wanted.units[i] * spread(u, wanted.octaves); }),
+        std::back_inserter(places));
   return places;
 }
 
 /// Starts with positions in their ranges: as many as they come, and as many that are the lowest of many more.
 /// The lowest ones alone would lie in few basins.
 std::vector<Vector> placed(const SearchStarts& wanted, const Descents& scan) {
-  constexpr std::size_t looks = 24;
-  std::vector<Vector> places;
-  for (std::size_t n = 0; n < wanted.count * (1 + looks); ++n) {
-    Vector& q = places.emplace_back(static_cast<Eigen::Index>(scan.unknowns().size()));
-    for (std::size_t i = 0; i < scan.unknowns().size(); ++i) {
-      const std::size_t parameter = scan.unknowns()[i];
-      const double u = radical_inverse((1 + looks) * (wanted.first - 1) + n + 1, primes[i]);
-      const auto& range = wanted.ranges[parameter];
-      q[static_cast<Eigen::Index>(i)] = range ? std::lerp((*range)[0], (*range)[1], u)
-                                              : wanted.sizes[parameter] * spread(u, octaves_of_shading);
-    }
-  }
+  constexpr std::size_t looks = 24, each = 1 + looks;
+  std::vector<Vector> places = halton_places(each * (wanted.first - 1) + 1, each * wanted.count,
+                                             scan.unknowns(), [&](std::size_t i, double u) {
+                                               const auto& range = wanted.ranges[i];
+                                               return range ? std::lerp((*range)[0], (*range)[1], u)
+                                                            : wanted.sizes[i] * spread(u, octaves_of_shading);
+                                             });
   const auto as_they_come = places.begin() + static_cast<std::ptrdiff_t>(wanted.count);
   const std::vector<SearchedPlace> lowest = scan.all_at({as_they_come, places.end()});
   places.erase(as_they_come, places.end());
@@ -233,7 +239,6 @@ void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<Vector>
 template <class Search>
 void search_on(SearchedStudy& searched, SearchStarts& wanted, const Search& search) {
   constexpr std::size_t least = 32, most = 1024;
-  constexpr double lower = 1 - 1e-6;  // of the squares: ends in one basin differ by less
   const std::size_t sets = wanted.sets();
   wanted.given.clear();
   for (bool is_lower = wanted.count > 0; is_lower;) {
@@ -242,8 +247,8 @@ void search_on(SearchedStudy& searched, SearchStarts& wanted, const Search& sear
     wanted.count = std::min(std::max(least, so_far), most - std::min(most, so_far)) / sets;
     if (wanted.count == 0) return;
     std::vector<StudyCandidate> more = search();
-    is_lower = !more.empty() && (searched.candidates.empty() ||
-                                 more.front().square < lower * searched.candidates.front().square);
+    is_lower = !more.empty() && (searched.candidates.empty() || more.front().square * (1 + same_square) <
+                                                                    searched.candidates.front().square);
     std::ranges::move(more, std::back_inserter(searched.candidates));
     std::ranges::stable_sort(searched.candidates, {}, &StudyCandidate::square);
     searched.starts += static_cast<int>(wanted.count * sets);
@@ -381,11 +386,9 @@ bool is_slower_wave(const std::vector<double>& a, const std::vector<double>& b) 
 }
 
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most) {
-  // The ends of descents in one basin are at most this far apart.
-  constexpr double same = 1e-6;
   std::vector<StudyCandidate> basins;
   for (const StudyCandidate& candidate : searched.candidates) {
-    if (basins.empty() || candidate.square > basins.back().square * (1 + same)) {
+    if (basins.empty() || candidate.square > basins.back().square * (1 + same_square)) {
       if (basins.size() == most) break;
       basins.push_back(candidate);
     } else if (searched.has_rows && is_slower_wave(candidate.parameters, basins.back().parameters)) {
