@@ -150,6 +150,7 @@ std::vector<double> exponents_of(const FittableFamily& family, const std::vector
 }
 
 // A descent finds a frequency only from near it. sin(12 x) by b sin(a x) gave -13.5 from the fixed starts.
+// Frequencies of up to 40 that are right have 14 digits; another basin is off by more than 0.1.
 TEST(Study, FrequenciesAreFoundInTheTarget) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> frequency(4, 40), amplitude(0.3, 2), rate(0, 1);

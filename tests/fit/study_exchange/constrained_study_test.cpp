@@ -88,7 +88,8 @@ TEST(ConstrainedStudy, FindsWhatIsKnown) {
   }
 }
 
-// Above a negative target is below its mirror image, also where the error is divided by the target.
+// Above a negative target is below its mirror image, also where the error is divided by the target. Both
+// answers have 13 digits.
 TEST(ConstrainedStudy, ANegativeTargetMirrorsAPositiveOne) {
   for (const Error error : {Error::absolute, Error::relative}) {
     for (const auto solve : {+[](const Study&s, Side side) { return fit_of(s, {.one_sided = side}); },
