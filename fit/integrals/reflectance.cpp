@@ -29,7 +29,7 @@ std::function<double(double)> over_view(ReflectedLobe lobe, double alpha,
   };
 }
 
-ReflectancePeak largest_of(ReflectedLobe lobe, double alpha, std::span<const double> angles,
+ReflectancePeak peak_among(ReflectedLobe lobe, double alpha, std::span<const double> angles,
                            const std::vector<LobeIntegrand<double>>& values,
                            double LobeIntegrand<double>::*part) {
   std::vector<ReflectancePeak> samples;
@@ -47,9 +47,9 @@ LobeIntegrals integrate_lobe(ReflectedLobe lobe, double alpha, std::span<const d
     result.errors.push_back({relative_error(circles.plain, longitude.plain),
                              relative_error(circles.with_cosine, longitude.with_cosine)});
   }
-  result.largest = largest_of(lobe, alpha, angles, result.values, &LobeIntegrand<double>::plain);
+  result.largest = peak_among(lobe, alpha, angles, result.values, &LobeIntegrand<double>::plain);
   result.largest_with_cosine =
-      largest_of(lobe, alpha, angles, result.values, &LobeIntegrand<double>::with_cosine);
+      peak_among(lobe, alpha, angles, result.values, &LobeIntegrand<double>::with_cosine);
   return result;
 }
 

@@ -12,6 +12,7 @@ enum class Status {
   not_finite,     ///< a value was infinite or not a number
   degenerate,     ///< of minimax: fewer alternation points than parameters + 1 hold the optimum
   infeasible,     ///< of minimax: no parameters satisfy the constraints
+  unresolved,     ///< more happens somewhere than samples explain
   at_border,  ///< the descent ends at the border of the admissible parameters (fit/families/admissible.hpp)
 };
 
@@ -29,6 +30,8 @@ constexpr std::string_view name(Status status) {
       return "degenerate";
     case Status::infeasible:
       return "infeasible";
+    case Status::unresolved:
+      return "unresolved";
     case Status::at_border:
       return "at-border";
   }

@@ -10,8 +10,8 @@
 
 #include "fit/proof/certified_formula.hpp"
 #include "fit/proof/enclosure.hpp"
-#include "fit/proof/taylor.hpp"
 #include "fit/quadrature/integrate.hpp"
+#include "fit/scalars/taylor.hpp"
 
 namespace shadefit {
 namespace {
@@ -55,7 +55,8 @@ constexpr int order = 6;
 /// The values of a series on a whole box, with `step` the interval around the centre: value + slope step +
 /// step^2 (..). At a peak the slope is 0, and the sign of the bracket reduces |error|. So a peak takes a few
 /// boxes; a bound by first derivatives takes dozens.
-Interval values_on(const Taylor<order - 1>& at_centre, const Interval& remainder, const Interval& step) {
+Interval values_on(const Taylor<order - 1, Interval>& at_centre, const Interval& remainder,
+                   const Interval& step) {
   Interval bracket = remainder;
   for (int i = order - 1; i >= 2; --i) bracket = at_centre[i] + step * bracket;
   return at_centre.value() + at_centre[1] * step + power(step, 2) * bracket;
@@ -69,12 +70,14 @@ class SeriesFunction : public EnclosedFunction {
       : EnclosedFunction(f), at_centre_(f), on_box_(f) {}
 
   using EnclosedFunction::operator();
-  Taylor<order - 1> operator()(const Cosine<Taylor<order - 1>>& c) const { return at_centre_(c); }
-  Taylor<order> operator()(const Cosine<Taylor<order>>& c) const { return on_box_(c); }
+  Taylor<order - 1, Interval> operator()(const Cosine<Taylor<order - 1, Interval>>& c) const {
+    return at_centre_(c);
+  }
+  Taylor<order, Interval> operator()(const Cosine<Taylor<order, Interval>>& c) const { return on_box_(c); }
 
  private:
-  std::function<Taylor<order - 1>(const Cosine<Taylor<order - 1>>&)> at_centre_;
-  std::function<Taylor<order>(const Cosine<Taylor<order>>&)> on_box_;
+  std::function<Taylor<order - 1, Interval>(const Cosine<Taylor<order - 1, Interval>>&)> at_centre_;
+  std::function<Taylor<order, Interval>(const Cosine<Taylor<order, Interval>>&)> on_box_;
 };
 
 /// Proves that |error| exceeds its largest value at the peaks by less than `width`: on each box by a Taylor
@@ -94,9 +97,10 @@ std::optional<ErrorBounds> bounds_by_series(const SeriesFunction& error, const D
     const auto [box, centre] = open.back();
     open.pop_back();
     const Interval distance = span_of(box.lower, box.upper);
-    const auto on_box = error(cosine_at(box.side, Taylor<order>::variable(distance)));
+    const auto on_box = error(cosine_at(box.side, Taylor<order, Interval>::variable(distance)));
     if (is_below(on_box.value())) continue;
-    const auto at_centre = error(cosine_at(box.side, Taylor<order - 1>::variable(Interval(centre))));
+    const auto at_centre =
+        error(cosine_at(box.side, Taylor<order - 1, Interval>::variable(Interval(centre))));
     raise(at_centre.value());
     const Interval step = distance - Interval(centre);
     if (is_below(values_on(at_centre, on_box[order], step))) continue;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "approx/scalar.hpp"
+#include "fit/scalars/certainty.hpp"
 
 /// The adapter of MPFI intervals, the arithmetic of the proofs. Every result contains all true results.
 namespace shadefit {
@@ -13,9 +14,6 @@ namespace shadefit {
 /// An interval with 50-digit ends, rounded outward by each operation. Expression templates are off.
 using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<50>,
                                                boost::multiprecision::et_off>;
-
-/// The possible results of `less` for two intervals.
-enum class Certainty { no, yes, unknown };
 
 /// MPFI's own functions are called directly: Boost 1.74 lacks some, its comparisons terminate the process
 /// when they cannot be decided, and its pow throws at zero. An end that is NaN (the root of [-1, 4]) makes
@@ -110,6 +108,12 @@ struct Scalar<Interval> {
   }
   static Interval pi() { return apply(mpfi_const_pi); }
   static Interval ln2() { return apply(mpfi_const_log2); }
+
+  /// sum += a b, without a new interval for the product.
+  static void add_product(Interval& sum, const Interval& a, const Interval& b, Interval& product) {
+    mpfi_mul(product.backend().data(), a.backend().data(), b.backend().data());
+    mpfi_add(sum.backend().data(), sum.backend().data(), product.backend().data());
+  }
 
   /// Whether x is exactly 0. `==` of two intervals would terminate the process if it cannot be decided.
   static bool is_zero(const Interval& x) { return mpfi_is_zero(x.backend().data()) > 0; }

@@ -278,7 +278,12 @@ std::vector<std::string> formula_inputs(const ReadStudy& study) {
 }
 
 ReadStudy read_formulas(const Study& study) {
-  const std::vector<StudyAxis> axes = axes_of(study);
+  std::vector<StudyAxis> axes = axes_of(study);
+  if (study.cuts) {
+    axes.front().cuts = *study.cuts;
+    std::erase_if(axes.front().cuts,
+                  [&](double cut) { return cut <= axes.front().lower || axes.front().upper <= cut; });
+  }
   const std::vector<std::string> variables = variables_of(axes);
   const FormulaNames names = names_of(study, variables);
   const Symbolic target =

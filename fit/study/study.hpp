@@ -45,6 +45,8 @@ struct Study {
   std::string weight = "1";  ///< the factor of the error, a formula in the variables
   Error error = Error::absolute;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< the target, if it is not a formula
+  /// The cuts of its only variable (`StudyAxis`), if somebody has looked for them.
+  std::optional<std::vector<double>> cuts = std::nullopt;
 };
 
 /// A range whose ends are numbers: with rows the least and the largest value.
@@ -52,6 +54,7 @@ struct StudyAxis {
   std::string variable;
   double lower, upper;
   Symbolic density;
+  std::vector<double> cuts = {};  ///< places that cut panels: more happens there than the nodes of a rule see
 };
 
 /// A study whose formulas have been read. Given constants are inserted.

@@ -172,7 +172,7 @@ std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edge
   }
   result.front().at = axis.lower;
   result.back().at = axis.upper;
-  if (result.size() > most_study_edges)
+  if (result.size() > most_study_edges + axis.cuts.size())
     throw UserError("--over '" + axis.variable +
                     "': more than 64 kinks, roots and poles: no more are allowed");
   return result;
@@ -343,6 +343,7 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
     HingeCurve target(study.target, std::span(&axis, 1));
     append_zeros({.part = study.target, .is_root = false, .is_pole = false}, target, axis, edges);
   }
+  for (const double cut : axis.cuts) edges.push_back({cut});
   return merged(axis, std::move(edges));
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fit/proof/interval_ends.hpp"
-#include "fit/proof/taylor.hpp"
+#include "fit/scalars/taylor.hpp"
 #include "fit/study_proof/jumps.hpp"
 #include "fit/support/memory.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -17,7 +17,7 @@ namespace shadefit {
 namespace {
 
 constexpr int integral_order = 16;
-using Series = Taylor<integral_order>;
+using Series = Taylor<integral_order, Interval>;
 
 /// The most panels of an integral. The panel next to a root is halved about 40 times.
 constexpr std::size_t most_inner_panels = 64;

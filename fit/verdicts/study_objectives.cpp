@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -11,6 +13,8 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
+#include "fit/study_panels/features.hpp"
 #include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -254,9 +258,42 @@ bool is_exact_at(const ReadStudy& study, const std::vector<std::string>& printed
   return rounding > 0 && std::abs(form - target) <= rounding;
 }
 
+/// A fit whose nodes see what its formulas and its error do: where they do not, the study is cut and solved
+/// again.
+template <class Solve>
+StudyFit seen_fit(ReadStudy& study, const Solve& solve) {
+  constexpr int most_rounds = 3;
+  std::optional<double> unresolved = cut_at_features(study);
+  StudyFit fit = solve();
+  for (int round = 0; fit.status == Status::converged && !unresolved; ++round) {
+    const Features missed = features_of_error(study, fit.parameters);
+    unresolved = missed.unresolved;
+    if (missed.cuts.empty()) return fit;
+    if (round == most_rounds) unresolved = missed.cuts.front();
+    if (unresolved) break;
+    std::ranges::copy(missed.cuts, std::back_inserter(study.axes.front().cuts));
+    fit = solve();
+  }
+  const bool is_open = fit.status == Status::converged || fit.status == Status::not_converged;
+  if (!is_open || !unresolved) return fit;
+  fit.status = Status::unresolved;
+  fit.why = "more happens near " + study.axes.front().variable + " = " + decimal(*unresolved, 6) +
+            " than samples explain";
+  return fit;
+}
+
 }  // namespace
 
-StudyFit errors_of_given(const ReadStudy& study) {
+Study with_cuts(Study study) {
+  ReadStudy read = read_study(study);
+  cut_at_features(read);
+  study.cuts = read.axes.front().cuts;
+  return study;
+}
+
+StudyFit errors_of_given(ReadStudy study) {
+  cut_at_features(study);
+  std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
   require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
   StudyFit given;
   given.status = Status::converged;
@@ -270,11 +307,13 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
     const ReadStudy formulas = read_formulas(objective.study);
     if (formulas.parameters.empty()) return errors_of_given(formulas);
   }
-  const ReadStudy read = read_study(objective.study);
-  StudyFit fit =
-      objective.norm == Norm::minimax
-          ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-          : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  ReadStudy read = read_study(objective.study);
+  const auto solve = [&] {
+    return objective.norm == Norm::minimax
+               ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
+               : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  };
+  StudyFit fit = objective.study.cuts ? solve() : seen_fit(read, solve);
   const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
   if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
     fit.status = Status::not_finite;

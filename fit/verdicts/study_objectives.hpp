@@ -22,7 +22,11 @@ struct StudyObjective {
 
 /// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
 /// value.
-StudyFit errors_of_given(const ReadStudy& study);
+StudyFit errors_of_given(ReadStudy study);
+
+/// The study with the cuts of its variable, for fits under many objectives. The error of such a fit is not
+/// looked at again.
+Study with_cuts(Study study);
 
 /// The fit under an objective; its errors, where all parameters are held. Throws UserError like `read_study`,
 /// `solve_study` and `solve_minimax_study`.

@@ -207,7 +207,8 @@ std::vector<std::string> values_of(const PublishedSet& set, const std::vector<st
   return values;
 }
 
-TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
+TriedFits tried_fits(StudyObjective asked, const PublishedSet& set, const Checkpoint& checkpoint) {
+  asked.study = with_cuts(asked.study);
   const std::vector<std::string> parameters = read_study(asked.study).parameters;
   const std::vector<std::string> printed = values_of(set, parameters);
   TriedFits tried;

@@ -54,7 +54,7 @@ struct TriedFits {
 /// plain ones, which tell how much the constants depend on an objective; otherwise under all others; and if
 /// none of these has the digits, with each constant in turn held at its printed value, if that is near the
 /// best one. Throws UserError if the set lacks a parameter of the form, or has another.
-TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set,
+TriedFits tried_fits(StudyObjective asked, const PublishedSet& set,
                      const Checkpoint& checkpoint = keep_going);
 
 /// Compares printed constants, in the order of the parameters, with each fit. `confirmed`: the asked fit has

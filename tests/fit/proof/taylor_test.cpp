@@ -1,4 +1,4 @@
-#include "fit/proof/taylor.hpp"
+#include "fit/scalars/taylor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace shadefit {
 namespace {
 
 using testing::contains;
-using Series = Taylor<12>;
+using Series = Taylor<12, Interval>;
 
 /// f(a + h) against the sum of its series at a, with the remainder that the coefficients on [a, a + h] give.
 template <class F>

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "approx/scalar.hpp"
-#include "fit/proof/interval.hpp"
-#include "fit/proof/interval_ends.hpp"
+#include "fit/scalars/certainty.hpp"
 
-/// Taylor series in one variable with interval coefficients: the arithmetic of enclosed integrals.
+/// Taylor series in one variable with interval coefficients: the arithmetic of enclosed integrals, and of the
+/// search for narrow features.
 namespace shadefit {
 
 /// The coefficients f(a), f'(a), f''(a)/2 .. of a function up to the Order-th, each enclosed for all a of an
@@ -16,8 +16,8 @@ namespace shadefit {
 /// polynomials stay cheap.
 ///
 /// If a function leaves its domain, or a condition cannot be decided on the interval, the coefficients and
-/// all results from them are NaN.
-template <int Order>
+/// all results from them are NaN, or all numbers where the intervals have no NaN.
+template <int Order, class Interval>
 class Taylor {
  public:
   Taylor() : Taylor(Interval(0)) {}
@@ -90,10 +90,13 @@ class Taylor {
  private:
   const Interval& at(int i) const { return coefficients_[static_cast<std::size_t>(i)]; }
 
-  /// sum += a b, without a new Interval for the product: a proof spends most of its time here.
+  /// sum += a b: a proof spends most of its time here.
   static void add_product(Interval& sum, const Interval& a, const Interval& b, Interval& term) {
-    mpfi_mul(term.backend().data(), a.backend().data(), b.backend().data());
-    mpfi_add(sum.backend().data(), sum.backend().data(), term.backend().data());
+    if constexpr (requires { Scalar<Interval>::add_product(sum, a, b, term); }) {
+      Scalar<Interval>::add_product(sum, a, b, term);
+    } else {
+      sum = sum + a * b;
+    }
   }
 
   static Taylor termwise(const Taylor& a, const Taylor& b, int sign) {
@@ -110,9 +113,9 @@ class Taylor {
 };
 
 /// The adapter: each function by the recurrence of its differential equation.
-template <int Order>
-struct Scalar<Taylor<Order>> {
-  using T = Taylor<Order>;
+template <int Order, class Interval>
+struct Scalar<Taylor<Order, Interval>> {
+  using T = Taylor<Order, Interval>;
 
   /// e' = a' e: k e_k = sum of j a_j e_(k-j)
   static T exp(const T& a) { return exp_from(shadefit::exp(a.value()), a); }
@@ -154,11 +157,16 @@ struct Scalar<Taylor<Order>> {
   static T tan(const T& a) { return sin(a) / cos(a); }
   static T sinh(const T& a) { return turned(a, shadefit::sinh(a.value()), shadefit::cosh(a.value()), 1); }
   static T cosh(const T& a) { return turned(a, shadefit::cosh(a.value()), shadefit::sinh(a.value()), 1); }
-  static T tanh(const T& a) { return sinh(a) / cosh(a); }
+  /// m/(m + 2) with m = expm1(2 a), mirrored so that no exponential overflows
+  static T tanh(const T& a) {
+    const bool is_positive = Scalar<Interval>::less(Interval(0), a.value()) == Certainty::yes;
+    const T m = expm1(integer(is_positive ? -2 : 2) * a);
+    return is_positive ? -m / (m + integer(2)) : m / (m + integer(2));
+  }
   /// Constant between two jumps. An interval with a jump inside has no series.
   static T floor(const T& a) {
     const Interval whole = shadefit::floor(a.value());
-    return lower_end(whole) == upper_end(whole) ? T(whole) : no_series();
+    return Scalar<Interval>::less(whole, whole) == Certainty::no ? T(whole) : no_series();
   }
   /// x^p = exp(p log x), x > 0; at x = 0 it has no series.
   static T power(const T& x, const T& p) { return exp(p * log(x)); }
@@ -169,8 +177,10 @@ struct Scalar<Taylor<Order>> {
     const T difference = b - a;
     for (int i = 0; i <= difference.degree(); ++i) {
       if (Scalar<Interval>::is_zero(difference[i])) continue;
-      if (is_never_negative(difference[i])) return Certainty::yes;
-      return is_never_positive(difference[i]) ? Certainty::no : Certainty::unknown;
+      const Interval zero(0);
+      if (Scalar<Interval>::less(difference[i], zero) == Certainty::no) return Certainty::yes;
+      return Scalar<Interval>::less(zero, difference[i]) == Certainty::no ? Certainty::no
+                                                                          : Certainty::unknown;
     }
     return Certainty::no;
   }
