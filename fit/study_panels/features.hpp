@@ -22,10 +22,10 @@ struct Features {
 /// share of the range of its values.
 ///
 /// The range is divided into boxes. On each the Taylor coefficients c_0 .. c_8 are enclosed in doubles that
-/// are rounded outward. A box of half width h is explained if half the width of c_0, or |c_n| h^n of any n, is
-/// small enough: the formula is then that near to a polynomial of degree n - 1. Or if it is rounding, or the
-/// box cannot be halved. Samples alone miss what lies between them: a Gaussian of width 0.0005, a line of a
-/// spectrum, a lobe.
+/// are rounded outward. A box of half width h is explained if half the width of c_0, or |c_n| h^n of any n,
+/// is small enough: the formula is then that near to a polynomial of degree n - 1. Or if it is rounding, or
+/// the box cannot be halved. Samples alone miss what lies between them: a Gaussian of width 0.0005, a line of
+/// a spectrum, a lobe.
 Features features_of(const Symbolic& formula, const StudyAxis& axis, const std::vector<StudyEdge>& edges,
                      double share);
 

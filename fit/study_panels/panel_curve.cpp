@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -42,8 +43,13 @@ struct CurveNodes {
 template <class T>
 class CurveTapes {
  public:
-  CurveTapes(TapeProgram<T> value, TapeProgram<T> slope, std::size_t outputs, std::size_t parameters)
-      : value_(std::move(value)), slope_(std::move(slope)), outputs_(outputs), inputs_(1 + parameters) {}
+  /// `size` is that of the terms whose difference the formula is, if it is known.
+  CurveTapes(TapeProgram<T> value, TapeProgram<T> slope, std::size_t outputs, std::size_t parameters, T size)
+      : value_(std::move(value)),
+        slope_(std::move(slope)),
+        outputs_(outputs),
+        inputs_(1 + parameters),
+        rounding_(64 * std::numeric_limits<T>::epsilon() * size) {}
 
   /// The outputs at s. At an end where one has no value, such as 0/0 at a zero of the target, its limit along
   /// the panel; NaN if the extrapolation does not settle.
@@ -61,7 +67,7 @@ class CurveTapes {
       constexpr T same = T(1e-10);
       const T before = beside[beside.size() - 2][i];
       const bool is_settled =
-          std::abs(limit[i] - before) <= same * (std::abs(limit[i]) + std::abs(beside[0][i]));
+          std::abs(limit[i] - before) <= rounding_ + same * (std::abs(limit[i]) + std::abs(beside[0][i]));
       if (has_none(result[i]) && is_settled) result[i] = limit[i];
     }
     return result;
@@ -136,20 +142,21 @@ class CurveTapes {
   TapeProgram<T> value_, slope_;
   std::size_t outputs_;
   std::vector<T> inputs_;
+  T rounding_;  ///< of an extrapolated value: it is larger than that of each of its values
 };
 
 /// All evaluations of a curve that the exchange needs.
 class PanelCurve {
  public:
-  PanelCurve(CurveNodes nodes, std::shared_ptr<SearchPanels> panels)
+  PanelCurve(CurveNodes nodes, std::shared_ptr<SearchPanels> panels, double size)
       : panels_(std::move(panels)),
         count_(nodes.inputs.size() - 1),
         curvature_(nodes.program<double>({nodes.value, nodes.slope, nodes.graph.derivative(nodes.slope, 0)})),
         value_(nodes.program<double>({nodes.value})),
         across_(nodes.program<double>(nodes.with_gradient(nodes.value)),
-                nodes.program<double>(nodes.with_gradient(nodes.slope)), 1 + count_, count_),
-        wide_(nodes.program<long double>({nodes.value}), nodes.program<long double>({nodes.slope}), 1,
-              count_),
+                nodes.program<double>(nodes.with_gradient(nodes.slope)), 1 + count_, count_, size),
+        wide_(nodes.program<long double>({nodes.value}), nodes.program<long double>({nodes.slope}), 1, count_,
+              static_cast<long double>(size)),
         inputs_(1 + count_) {}
 
   double value(const SearchPlace& place, const MinimaxParameters& p) {
@@ -225,7 +232,9 @@ class PanelCurve {
 
 MinimaxCurve panel_curve(const ReadStudy& study, const Symbolic& formula, CurveOf of,
                          std::shared_ptr<SearchPanels> panels, const std::vector<SearchPlace>& places) {
-  const auto curve = std::make_shared<PanelCurve>(CurveNodes(study, formula, of), std::move(panels));
+  // A relative error is form/target - 1.
+  const double size = study.error == Error::relative ? 1 : 0;
+  const auto curve = std::make_shared<PanelCurve>(CurveNodes(study, formula, of), std::move(panels), size);
   const auto everywhere = [curve, places](const MinimaxParameters& p, std::span<double> values) {
     for (std::size_t i = 0; i < places.size(); ++i) values[i] = curve->value(places[i], p);
   };

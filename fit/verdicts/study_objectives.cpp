@@ -15,6 +15,7 @@
 #include "fit/study/study_problem.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_panels/features.hpp"
+#include "fit/study_panels/limits.hpp"
 #include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -286,12 +287,14 @@ StudyFit seen_fit(ReadStudy& study, const Solve& solve) {
 
 Study with_cuts(Study study) {
   ReadStudy read = read_study(study);
+  take_limits(read);
   cut_at_features(read);
   study.cuts = read.axes.front().cuts;
   return study;
 }
 
 StudyFit errors_of_given(ReadStudy study) {
+  take_limits(study);
   cut_at_features(study);
   std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
   require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
@@ -308,6 +311,7 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
     if (formulas.parameters.empty()) return errors_of_given(formulas);
   }
   ReadStudy read = read_study(objective.study);
+  take_limits(read);
   const auto solve = [&] {
     return objective.norm == Norm::minimax
                ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
