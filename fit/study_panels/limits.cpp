@@ -69,20 +69,21 @@ class Limits {
   std::optional<Symbolic> with_limit(const Symbolic& formula, double place) const {
     const double length = axis_.upper - axis_.lower;
     std::vector<Decimal50> near;
+    Decimal50 size = 0;
     for (const int side : {-1, 1}) {
       if (place == (side < 0 ? axis_.lower : axis_.upper)) continue;
       const auto at = [&](const char* distance) {
         return value(formula, Decimal50(place) + side * Decimal50(distance) * Decimal50(length));
       };
       const Decimal50 far = at("1e-6");
+      size = max(size, abs(far));
       near.push_back(at("1e-12"));
       // From one distance to the other a logarithm doubles; what has a limit changes little, or falls.
       constexpr double grown = 1.5;
       if (!isfinite(near.back()) || !(abs(near.back()) <= grown * abs(far))) return std::nullopt;
     }
-    // What differs by more from side to side jumps.
-    constexpr double same = 1e-9;
-    if (abs(near.front() - near.back()) > same * abs(near.front())) return std::nullopt;
+    // Between these places what has a limit changes by a thousandth of its size, unless it falls to 0.
+    if (abs(near.front() - near.back()) > size / 1000) return std::nullopt;
     for (double radius = length / 4; radius > length / 1024; radius /= 2) {
       const std::optional<Symbolic> series = polynomial(formula, place, radius);
       const Symbolic distance = abs(Symbolic::variable(axis_.variable) - Symbolic::number(to_text(place)));
@@ -100,11 +101,13 @@ class Limits {
     const auto at_share = [&](double share) { return Decimal50(lower + Decimal50(share) * (upper - lower)); };
     const auto value_at = [&](const Decimal50& t) { return value(formula, Decimal50(place) + t); };
     std::array<Decimal50, terms> t, divided;
+    Decimal50 size = 0;
     for (std::size_t i = 0; i < terms; ++i) {
       const double angle = std::numbers::pi * (static_cast<double>(i) + 0.5) / terms;
       t[i] = at_share((1 - std::cos(angle)) / 2);
       divided[i] = value_at(t[i]);
       if (!isfinite(divided[i])) return std::nullopt;
+      size = max(size, abs(divided[i]));
     }
     for (std::size_t order = 1; order < terms; ++order)
       for (std::size_t i = terms - 1; i >= order; --i)
@@ -120,7 +123,7 @@ class Limits {
       for (std::size_t k = powers.size(); k-- > 0;) result = result * at + powers[k];
       return result;
     };
-    const Decimal50 agree = Decimal50("1e-20") * abs(sum(at_share(0.5)));
+    const Decimal50 agree = Decimal50("1e-20") * size;
     for (const double share : {0.001, 0.03, 0.21, 0.37, 0.51, 0.68, 0.93, 0.999}) {
       const Decimal50 at = at_share(share);
       if (!(abs(sum(at) - value_at(at)) <= agree)) return std::nullopt;
