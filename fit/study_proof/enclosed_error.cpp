@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "fit/proof/interval_ends.hpp"
+#include "fit/scalars/hinges.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {
@@ -31,17 +36,38 @@ Symbolic separated(const Symbolic& e, std::vector<Symbolic>& integrals) {
   return parts.empty() ? e : e.with_parts(std::move(parts));
 }
 
+/// What is in both of two enclosures of the same numbers.
+Interval narrowed(const Interval& usual, const Interval& limited) {
+  return is_bounded(usual) ? shared_by(usual, limited) : limited;
+}
+
+/// Where a denominator of the error, or the operand of a logarithm, is 0; empty of several variables.
+std::vector<double> poles_of(const ReadStudy& study) {
+  std::vector<double> places;
+  if (study.axes.size() > 1) return places;
+  for (const Hinge& hinge : hinges_of(error_formula(study))) {
+    if (!hinge.is_pole || free_variables(hinge.part) != std::set{study.axes.front().variable}) continue;
+    const std::vector<double> zeros = zeros_of(hinge.part, study.axes.front());
+    places.insert(places.end(), zeros.begin(), zeros.end());
+  }
+  std::ranges::sort(places);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
 }  // namespace
 
 /// The tapes of the value, of the slopes by the variables and by the integrals, and of the second derivatives
 /// by pairs of these.
 struct EnclosedError::Programs {
-  explicit Programs(const ReadStudy& study)
+  Programs(const ReadStudy& study, std::span<const Interval> parameters)
       : error(separated(error_formula(study), integrals)),
         graph(inputs_of(study, integrals.size())),
         value{graph.add(error)},
         jumps(graph),
         kinks(graph) {
+    if (const std::vector<double> places = poles_of(study); !places.empty() && integrals.empty())
+      limits.emplace(graph, value.front(), places, parameters);
     for (std::size_t i = 0; i < study.axes.size() + integrals.size(); ++i)
       slopes.push_back(graph.derivative(value.front(), i));
     kinks = Jumps(graph);
@@ -64,16 +90,18 @@ struct EnclosedError::Programs {
   Graph graph;
   std::vector<int> value, slopes, curvatures;
   Jumps jumps, kinks;
+  std::optional<ErrorLimits> limits;
 };
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
                              KnownIntegrals known)
-    : EnclosedError(study, parameters, std::move(known), Programs(study)) {}
+    : EnclosedError(study, parameters, std::move(known), Programs(study, parameters)) {}
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
                              KnownIntegrals known, Programs programs)
     : jumps_(std::move(programs.jumps)),
       kinks_(std::move(programs.kinks)),
+      limits_(std::move(programs.limits)),
       value_(programs.tape(programs.value), parameters),
       slopes_(programs.tape(programs.slopes), parameters),
       curvatures_(programs.tape(programs.curvatures), parameters) {
@@ -129,7 +157,11 @@ Interval EnclosedError::curvature_for(const std::vector<Interval>& variables) {
 }
 
 std::vector<Interval> EnclosedError::slopes_on(const StudyBox& box) {
-  std::vector<Interval> slopes = slopes_for(numbers_on(box, ranges_));
+  const std::vector<Interval> numbers = numbers_on(box, ranges_);
+  std::vector<Interval> slopes = slopes_for(numbers);
+  if (limits_) {
+    if (const auto limited = limits_->near(numbers.front())) slopes[0] = narrowed(slopes[0], limited->slope);
+  }
   if (box.size() > 1 || !is_bounded(slopes[0]) || has_one_sign(slopes[0])) return slopes;
   if (kinks_.may_happen(slopes_, 1 + integrals_.size())) return slopes;
   const Interval curvature = curvature_for(numbers_on(box, ranges_));
@@ -143,13 +175,38 @@ std::vector<Interval> EnclosedError::slopes_on(const StudyBox& box) {
 }
 
 Interval EnclosedError::at(std::span<const double> place) {
-  return value_for({place.begin(), place.end()});
+  return value_or_limit({place.begin(), place.end()});
+}
+
+/// The value at a place.
+Interval EnclosedError::value_or_limit(const std::vector<Interval>& place) {
+  const Interval value = value_for(place);
+  if (is_bounded(value) || !limits_) return value;
+  return limits_->at(place.front()).value_or(value);
+}
+
+/// A bound on a stretch on which the formula has none, x log(x) from x = 0: by its values at the ends if it
+/// rises or falls, and else none.
+double EnclosedError::bound_by_ends(const Stretch& stretch) {
+  const Interval slope = slopes_for(numbers_on({stretch}, ranges_)).front();
+  if (!is_never_negative(slope) && !is_never_positive(slope)) return std::numeric_limits<double>::infinity();
+  double bound = 0;
+  for (const double end : {stretch.lower, stretch.upper}) {
+    const Stretch place{stretch.is_from_upper, end, end};
+    bound = std::fmax(bound, largest_magnitude_in(value_or_limit(numbers_on({place}, ranges_))));
+  }
+  return bound;
 }
 
 BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
-  const Interval value = value_for(numbers_on(box, ranges_));
+  const std::vector<Interval> numbers = numbers_on(box, ranges_);
+  Interval value = value_for(numbers);
+  if (limits_) {
+    if (const auto limited = limits_->near(numbers.front())) value = narrowed(value, limited->value);
+  }
   const double natural = largest_magnitude_in(value);
   BoxBound result{natural, widest_axis(box, ranges_), place_in(box, ranges_)};
+  if (limits_ && !is_bounded(value)) result.bound = bound_by_ends(box.front());
   if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
 
   const std::vector<Interval> slopes = slopes_on(box);
@@ -184,8 +241,8 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
     rest = rest + term;
     cut_if_wider(i, width_of(term));
   }
-  const Interval top = value_for(numbers_on(high, ranges_)) + rest,
-                 bottom = value_for(numbers_on(low, ranges_)) + rest;
+  const Interval top = value_or_limit(numbers_on(high, ranges_)) + rest,
+                 bottom = value_or_limit(numbers_on(low, ranges_)) + rest;
   if (!is_bounded(top) || !is_bounded(bottom)) return result;
   const bool is_top = largest_magnitude_in(top) >= largest_magnitude_in(bottom);
   result.place = place_in(is_top ? high : low, ranges_);

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fit/proof/interval.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study_proof/error_limits.hpp"
 #include "fit/study_proof/jumps.hpp"
 #include "fit/study_proof/study_box.hpp"
 #include "fit/study_proof/study_integral.hpp"
@@ -28,7 +30,8 @@ struct BoxBound {
 ///
 /// Integrals are enclosed first (fit/study_proof/study_integral.hpp), and the chain rule uses their slopes. A
 /// formula with min, max or abs has slopes that enclose those of both sides. If a choice, sign, floor or
-/// atan2 may jump on a box, only values are enclosed.
+/// atan2 may jump on a box, only values are enclosed. In one variable 0/0 has its limit
+/// (fit/study_proof/error_limits.hpp).
 class EnclosedError {
  public:
   /// `parameters` in the order of those of the study. `known` has what other proofs computed.
@@ -56,6 +59,8 @@ class EnclosedError {
   const Interval& value_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_on(const StudyBox& box);
+  Interval value_or_limit(const std::vector<Interval>& place);
+  double bound_by_ends(const Stretch& stretch);
   Interval curvature_for(const std::vector<Interval>& variables);
 
   std::vector<Domain> ranges_;
@@ -63,6 +68,7 @@ class EnclosedError {
   /// `value_` and of `slopes_`.
   Jumps jumps_, kinks_;
   std::vector<std::shared_ptr<StudyIntegral>> integrals_;
+  std::optional<ErrorLimits> limits_;  ///< where a denominator or a logarithm may be 0
   /// Functions of the variables and the integrals. The last has the second derivatives of one variable.
   TapeProgram<Interval> value_, slopes_, curvatures_;
 };

@@ -19,11 +19,11 @@ int index_of(const List& functions, std::string_view name) {
 
 constexpr int albedo_orders = most_albedo_order + 1;
 
+}  // namespace
+
 std::string_view name_of_one(const GraphNode& node) {
   return functions_of_one<double>[static_cast<std::size_t>(node.index)].name;
 }
-
-}  // namespace
 
 int index_of(const Albedo& albedo) {
   return (static_cast<int>(albedo.index) * albedo_orders + albedo.by_c) * albedo_orders + albedo.by_alpha;
@@ -174,12 +174,27 @@ int Graph::product(int a, int b) {
   if (is_whole(a, 1)) return b;
   if (is_whole(b, 1)) return a;
   if (is_constant(a) && is_constant(b)) return constant(constant_at(a) * constant_at(b));
+  if (is_reciprocal(a, b) || is_reciprocal(b, a)) return whole(1);
   return node({Operation::multiply, 0, {a, b, -1, -1}});
 }
 
 int Graph::quotient(int a, int b) {
   if (is_zero(a) || is_whole(b, 1)) return a;
   return node({Operation::divide, 0, {a, b, -1, -1}});
+}
+
+/// Whether a is 1/b. So the slope of x log(x) has no 0/0 at x = 0.
+bool Graph::is_reciprocal(int a, int b) const {
+  const GraphNode& at = nodes_[static_cast<std::size_t>(a)];
+  return at.operation == Operation::divide && at.operands[1] == b && is_whole(at.operands[0], 1);
+}
+
+int Graph::replaced(int of, const std::map<int, int>& by) {
+  if (const auto found = by.find(of); found != by.end()) return found->second;
+  GraphNode result = nodes_[static_cast<std::size_t>(of)];
+  for (std::size_t i = 0; i < operand_count(result.operation); ++i)
+    result.operands[i] = replaced(result.operands[i], by);
+  return node(result);
 }
 
 int Graph::function(std::string_view name, int a) {

@@ -47,6 +47,9 @@ struct GraphNode {
   auto operator<=>(const GraphNode&) const = default;
 };
 
+/// The name of a function of one operand.
+std::string_view name_of_one(const GraphNode& node);
+
 class Graph {
  public:
   /// Integrals are computed by this rule.
@@ -63,6 +66,14 @@ class Graph {
 
   bool is_zero(int node) const { return node == zero_; }
 
+  // Operations with the simplifications that a derivative needs: of 0, of 1, and of two constants.
+  int difference(int a, int b);
+  int product(int a, int b);
+  int quotient(int a, int b);
+
+  /// The node of a formula with other nodes in place of some of its nodes.
+  int replaced(int node, const std::map<int, int>& by);
+
   std::span<const GraphNode> nodes() const { return nodes_; }
   std::span<const std::string> inputs() const { return inputs_; }
   /// The node of each input.
@@ -76,13 +87,10 @@ class Graph {
   int whole(int n) { return n == 0 && zero_ >= 0 ? zero_ : constant(Symbolic::number(std::to_string(n))); }
   bool is_whole(int node, int n) const;
   bool is_constant(int node) const;
+  bool is_reciprocal(int a, int b) const;
   const Symbolic& constant_at(int node) const;
 
-  // Operations with the simplifications that a derivative needs: of 0, of 1, and of two constants.
   int sum(int a, int b);
-  int difference(int a, int b);
-  int product(int a, int b);
-  int quotient(int a, int b);
   int negative(int a);
   int function(std::string_view name, int a);
 
