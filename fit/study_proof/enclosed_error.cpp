@@ -159,12 +159,12 @@ Interval EnclosedError::curvature_for(const std::vector<Interval>& variables) {
 std::vector<Interval> EnclosedError::slopes_on(const StudyBox& box) {
   const std::vector<Interval> numbers = numbers_on(box, ranges_);
   std::vector<Interval> slopes = slopes_for(numbers);
-  if (limits_) {
-    if (const auto limited = limits_->near(numbers.front())) slopes[0] = narrowed(slopes[0], limited->slope);
-  }
+  const auto limited = limits_ ? limits_->on(numbers.front()) : std::nullopt;
+  if (limited) slopes[0] = narrowed(slopes[0], limited->slope);
   if (box.size() > 1 || !is_bounded(slopes[0]) || has_one_sign(slopes[0])) return slopes;
   if (kinks_.may_happen(slopes_, 1 + integrals_.size())) return slopes;
-  const Interval curvature = curvature_for(numbers_on(box, ranges_));
+  Interval curvature = curvature_for(numbers);
+  if (limited) curvature = narrowed(curvature, limited->curvature);
   if (!is_bounded(curvature)) return slopes;
   const Stretch middle = middle_of(box[0]);
   const Interval in_middle = slopes_for(numbers_on({middle}, ranges_)).front();
@@ -201,9 +201,8 @@ double EnclosedError::bound_by_ends(const Stretch& stretch) {
 BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   const std::vector<Interval> numbers = numbers_on(box, ranges_);
   Interval value = value_for(numbers);
-  if (limits_) {
-    if (const auto limited = limits_->near(numbers.front())) value = narrowed(value, limited->value);
-  }
+  const auto limited = limits_ ? limits_->on(numbers.front()) : std::nullopt;
+  if (limited) value = narrowed(value, limited->value);
   const double natural = largest_magnitude_in(value);
   BoxBound result{natural, widest_axis(box, ranges_), place_in(box, ranges_)};
   if (limits_ && !is_bounded(value)) result.bound = bound_by_ends(box.front());

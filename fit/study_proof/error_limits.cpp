@@ -1,7 +1,9 @@
 #include "fit/study_proof/error_limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "fit/proof/interval_ends.hpp"
@@ -24,22 +26,16 @@ class AtPlace {
   int slope(int node) const { return graph_.derivative(node, 0); }
 
   struct Quotient {
-    int value, slope;
+    int value, slope, curvature;
   };
-  /// The nodes that enclose the quotient of two nodes and its slope, if both nodes are 0 here.
+  /// The nodes that enclose the quotient of two nodes and its derivatives, if both nodes are 0 here.
   std::optional<Quotient> limit_of_quotient(int a, int b) const {
     constexpr int most_zeros = 6;
     if (!is_zero(b) || !is_zero(a)) return std::nullopt;
     for (int k = 1; k <= most_zeros; ++k) {
       a = slope(a);
       b = slope(b);
-      if (has_one_sign(value(b))) {
-        // A'/B - (A/B) B'/B, of A = a/k!, A' = a'/(k + 1)!, and likewise B
-        const int value = graph_.quotient(a, b);
-        const int rise = graph_.difference(slope(a), graph_.product(value, slope(b)));
-        const int next = graph_.add(Symbolic::number(std::to_string(k + 1)));
-        return Quotient{value, graph_.quotient(rise, graph_.product(next, b))};
-      }
+      if (has_one_sign(value(b))) return quotient_of(a, b, k);
       if (!is_zero(b) || !is_zero(a)) return std::nullopt;
     }
     return std::nullopt;
@@ -52,6 +48,26 @@ class AtPlace {
   }
 
  private:
+  int whole(int n) const { return graph_.add(Symbolic::number(std::to_string(n))); }
+
+  /// Of the k-th derivatives of two nodes. With the coefficients A_j of A, each times k!, those of A/B are
+  /// q_0 = A_0/B_0, q_1 = (A_1 - q_0 B_1)/B_0 and q_2 = (A_2 - q_1 B_1 - q_0 B_2)/B_0.
+  Quotient quotient_of(int a, int b, int k) const {
+    const auto coefficients = [&](int node) {
+      const int first = slope(node), second = slope(first);
+      return std::array{node, graph_.quotient(first, whole(k + 1)),
+                        graph_.quotient(second, whole((k + 1) * (k + 2)))};
+    };
+    const auto as = coefficients(a), bs = coefficients(b);
+    const auto without = [&](int sum, int factor, int other) {
+      return graph_.difference(sum, graph_.product(factor, other));
+    };
+    const int value = graph_.quotient(as[0], bs[0]);
+    const int rise = graph_.quotient(without(as[1], value, bs[1]), bs[0]);
+    const int half = graph_.quotient(without(without(as[2], rise, bs[1]), value, bs[2]), bs[0]);
+    return {value, rise, graph_.product(whole(2), half)};
+  }
+
   Graph& graph_;
   Interval place_;
   std::span<const Interval> parameters_;
@@ -86,6 +102,7 @@ ErrorLimits::ErrorLimits(Graph& graph, int error, std::span<const double> places
         if (!limit) continue;
         beside[i] = at[i] = limit->value;
         beside[here.slope(i)] = limit->slope;
+        beside[here.slope(here.slope(i))] = limit->curvature;
       } else if (node.operation == Operation::multiply) {
         for (const auto& [factor, other] : {std::pair(a, b), std::pair(b, a)}) {
           const GraphNode logarithm = graph.nodes()[static_cast<std::size_t>(other)];
@@ -95,21 +112,20 @@ ErrorLimits::ErrorLimits(Graph& graph, int error, std::span<const double> places
       }
     }
     if (at.empty()) continue;
-    const std::vector<int> value_and_slope{graph.replaced(error, beside),
-                                           graph.replaced(graph.derivative(error, 0), beside)};
+    const int slope = here.slope(error), curvature = here.slope(slope);
+    std::vector<int> derivatives;
+    for (const int node : {error, slope, curvature}) derivatives.push_back(graph.replaced(node, beside));
     const std::vector<int> value{graph.replaced(error, at)};
-    places_.push_back({place, TapeProgram<Interval>(Tape(graph, value_and_slope), parameters),
+    places_.push_back({place, TapeProgram<Interval>(Tape(graph, derivatives), parameters),
                        TapeProgram<Interval>(Tape(graph, value), parameters)});
   }
 }
 
-std::optional<ErrorLimits::ValueAndSlope> ErrorLimits::near(const Interval& x) {
-  const double lower = lower_end(x), upper = upper_end(x), length = upper - lower;
+std::optional<ErrorLimits::Derivatives> ErrorLimits::on(const Interval& x) {
   for (Place& place : places_) {
-    if (place.at < lower - length || upper + length < place.at) continue;
     place.beside.run(std::vector{Scalar<Interval>::hull(x, Interval(place.at))});
-    const ValueAndSlope result{place.beside.output(0), place.beside.output(1)};
-    if (is_bounded(result.value) && is_bounded(result.slope)) return result;
+    const Derivatives found{place.beside.output(0), place.beside.output(1), place.beside.output(2)};
+    if (is_bounded(found.value) && is_bounded(found.slope) && is_bounded(found.curvature)) return found;
   }
   return std::nullopt;
 }
