@@ -47,8 +47,11 @@ std::vector<double> poles_of(const ReadStudy& study) {
   if (study.axes.size() > 1) return places;
   for (const Hinge& hinge : hinges_of(error_formula(study))) {
     if (!hinge.is_pole || free_variables(hinge.part) != std::set{study.axes.front().variable}) continue;
-    const std::vector<double> zeros = zeros_of(hinge.part, study.axes.front());
-    places.insert(places.end(), zeros.begin(), zeros.end());
+    const StudyAxis& axis = study.axes.front();
+    // exp(x) - 1 is 0 in double where x is rounding: the place is 0.
+    const double rounding = 1e-15 * (axis.upper - axis.lower);
+    for (const double zero : zeros_of(hinge.part, axis))
+      places.push_back(std::abs(zero) < rounding ? 0 : zero);
   }
   std::ranges::sort(places);
   places.erase(std::unique(places.begin(), places.end()), places.end());
