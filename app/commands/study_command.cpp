@@ -90,6 +90,7 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
   if (first.status != Status::converged) return text;
   if (first.names.empty())
     return text + fmt::format("Nothing was fitted: {} are given.\n", held_text(studies.front().asked()));
+  if (first.is_sampled) text += "The largest error is sampled: between the samples it may be larger.\n";
   if (first.is_global) return text + "The form is linear in its parameters: the best is global.\n";
   const std::string often =
       first.descents == 0 ? "" : fmt::format("; {} of {} descents ended there", first.lowest, first.descents);

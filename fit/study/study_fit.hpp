@@ -48,6 +48,7 @@ struct StudyFit {
   std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
   std::vector<StudyContact> touching = {};         ///< of one in several variables: where it is at its level
   std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
+  bool is_sampled = false;  ///< whether nothing but samples tells what happens between the nodes
 };
 
 }  // namespace shadefit

@@ -238,12 +238,6 @@ std::vector<StudyEdge> with_middles(const std::vector<StudyEdge>& edges) {
   return result;
 }
 
-/// Whether enclosures know each part of a formula: they know no albedo, and a rule's sum of an integral has
-/// hundreds of terms.
-bool is_enclosed(const Symbolic& formula) {
-  return integral_depth(formula) == 0;
-}
-
 /// The parts of a formula that have no parameter, as large as possible: of a + b exp(-x^2) the last factor.
 void collect_fixed_parts(const Symbolic& formula, const StudyAxis& axis, std::vector<Symbolic>& parts) {
   const std::set<std::string> names = free_variables(formula);
@@ -256,7 +250,6 @@ void collect_fixed_parts(const Symbolic& formula, const StudyAxis& axis, std::ve
 
 Features features_of(const Symbolic& formula, const StudyAxis& axis, const std::vector<StudyEdge>& edges,
                      double share) {
-  if (!is_enclosed(formula)) return {};
   Curve curve(formula, axis.variable);
   const std::vector<StudyEdge> panels = with_middles(edges);
   const Boxes boxes(curve, panels, share);
@@ -270,12 +263,17 @@ Features features_of(const Symbolic& formula, const StudyAxis& axis, const std::
   return features;
 }
 
+bool is_enclosed(const ReadStudy& study) {
+  // A rule's sum of an integral has hundreds of terms, and an albedo has no enclosure.
+  return study.axes.size() == 1 && integral_depth(error_formula(study)) == 0;
+}
+
 std::optional<double> cut_at_features(ReadStudy& study) {
-  if (study.rows || study.axes.size() > 1) return std::nullopt;
+  if (study.rows || !is_enclosed(study)) return std::nullopt;
   StudyAxis& axis = study.axes.front();
   // What is unexplained is below a thousandth of the range of a formula.
   constexpr double share = 1e-3;
-  std::vector<Symbolic> formulas{study.target, study.weight};
+  std::vector<Symbolic> formulas{study.target, study.weight, axis.density};
   collect_fixed_parts(study.form, axis, formulas);
   std::optional<double> unresolved;
   const std::vector<StudyEdge> edges = edges_of(study, 0);
@@ -289,7 +287,7 @@ std::optional<double> cut_at_features(ReadStudy& study) {
 }
 
 Features features_of_error(const ReadStudy& study, const std::vector<double>& parameters) {
-  if (study.rows || study.axes.size() > 1) return {};
+  if (study.rows || !is_enclosed(study)) return {};
   // A tenth of the level, of a curve between -level and level.
   constexpr double share = 0.05;
   ReadStudy at = study;

@@ -29,8 +29,11 @@ struct Features {
 Features features_of(const Symbolic& formula, const StudyAxis& axis, const std::vector<StudyEdge>& edges,
                      double share);
 
-/// Cuts the only variable of a study at the features of its target, of its weight, and of the parts of its
-/// form without parameters. A study of several variables, or of rows, stays as it is: it is sampled.
+/// Whether enclosures know the formulas of a study: of one variable, without an integral.
+bool is_enclosed(const ReadStudy& study);
+
+/// Cuts the only variable of a study at the features of its target, weight and density, and of the parts of
+/// its form without parameters. A study that is not enclosed, or of rows, stays as it is.
 std::optional<double> cut_at_features(ReadStudy& study);
 
 /// The same for its error at some parameters.

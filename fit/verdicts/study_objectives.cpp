@@ -318,6 +318,7 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
                : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
   };
   StudyFit fit = objective.study.cuts ? solve() : seen_fit(read, solve);
+  fit.is_sampled = !read.rows && !is_enclosed(read);
   const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
   if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
     fit.status = Status::not_finite;

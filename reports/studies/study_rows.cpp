@@ -349,6 +349,7 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"rms_error", has_answer ? Json(study.fit.rms_error) : Json()},
                      {"max_abs_error", has_answer ? Json(study.fit.max_abs_error.magnitude) : Json()},
                      {"at", has_answer ? place_json(study, study.fit.max_abs_error.at) : Json()},
+                     {"sampled", study.fit.is_sampled},
                      {"level", has_answer ? optional_json(study.fit.level) : Json()},
                      {"alternation", alternation_json(study)},
                      {"published", published_json(study)}});
