@@ -192,7 +192,7 @@ TEST(ConstrainedStudy, RefusesWhatCannotBe) {
   // At x = 1 the target is 0, which is below every exponential.
   const StudyFit below = fit_of(study_of("(1 - x)^5", "exp2((a x + b) x)"), {.one_sided = Side::below});
   EXPECT_EQ(name(below.status), "not-converged");
-  EXPECT_EQ(below.why.substr(0, 67), "no step leads to parameters that keep the form <= target at x = 0.9");
+  EXPECT_EQ(below.why.substr(0, 63), "no step leads to parameters that keep the form <= target at x =");
   const auto refusal = [](const Study& study, const Constraints& constraints) -> std::string {
     try {
       fit_of(study, constraints);
