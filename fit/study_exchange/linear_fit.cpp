@@ -205,17 +205,24 @@ class LinearFit {
     return static_cast<double>(part.value / static_cast<long double>(unit)) - of.share * level_;
   }
 
+  /// The tops of a curve, at least those near its bound or above.
+  std::vector<Place> tops(std::size_t curve) {
+    // Between places of a grid a constraint may be violated by little, where both are below its bound.
+    const double ground = curves_[curve].share > 0 ? 0 : -largest_[curve];
+    const double share = curves_[curve].share > 0 ? 0.9 : 0.3;  // of the highest
+    std::vector<Place> result;
+    for (const StudyExtremum& found : tops_of(curves_[curve].heights(), ground, edges_, rounded(), share))
+      result.push_back(top_near(curves_[curve], found.at, parameters_, edges_));
+    return result;
+  }
+
   /// Adds the tops that exceed their bounds. Returns by how much the highest does.
   double add_tops() {
     checkpoint_();
-    const std::vector<double> at = rounded();
     double highest = 0;
     for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
       if (!is_searched(curve)) continue;
-      // Between places of a grid a constraint may be violated by little, where both are below its bound.
-      const double ground = curves_[curve].share > 0 ? 0 : -largest_[curve];
-      for (const StudyExtremum& found : tops_of(curves_[curve].heights(), ground, edges_, at, 0.3)) {
-        const Place place = top_near(curves_[curve], found.at, parameters_, edges_);
+      for (const Place& place : tops(curve)) {
         const CurvePart part = curves_[curve].at(place, parameters_).front();
         const double over = excess(curve, part);
         if (!(over > exceeds) || !part.slope.allFinite()) continue;
@@ -629,7 +636,9 @@ class LinearFit {
       }
       add_tops();
     }
-    return settle_square();
+    if (!settle_square()) return false;
+    if (is_minimax_) fit_.is_unique = !has_way();
+    return true;
   }
 
   /// Whether a place is so near one that is held that its condition says the same.
@@ -641,10 +650,34 @@ class LinearFit {
     });
   }
 
+  /// Whether a step from the answer raises no top that is at its bound: the nearest of those to each
+  /// coordinate step is not 0.
+  bool has_way() {
+    constexpr double at_bound = 1e-7, no_step = 1e-6;
+    std::vector<Condition> conditions;
+    for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
+      if (!is_searched(curve)) continue;
+      for (const Place& place : tops(curve)) {
+        const CurvePart part = curves_[curve].at(place, parameters_).front();
+        if (!(excess(curve, part) > -at_bound) || !part.slope.allFinite()) continue;
+        const Vector slope = steps_.transpose() * part.slope.cast<double>();
+        std::copy(slope.begin(), slope.end(), conditions.emplace_back().slope.begin());
+      }
+    }
+    const Eigen::Index n = steps_.cols();
+    for (Eigen::Index i = 0; i < 2 * n; ++i) {
+      const Vector towards = Vector::Unit(n, i / 2) * (i % 2 == 0 ? 1 : -1);
+      const auto nearest = least_step(Matrix::Identity(n, n), -towards, conditions);
+      if (!nearest || nearest->step.norm() > no_step) return true;
+    }
+    return false;
+  }
+
   /// One rule after the other, until the next one moves no digit.
   bool settle_square() {
     long double size = HUGE_VALL;
-    for (std::size_t rule = search_rule(study_); rule < fit_rules.size() && size > settled; ++rule) {
+    for (std::size_t rule = search_rule(study_); rule <= Rules(study_, error_).last() && size > settled;
+         ++rule) {
       const SampledStudy<long double> wide(error_, nodes_of(study_, edges_, fit_rules[rule]));
       const auto step = [&] {
         const auto sums = wide.gradient(std::vector<long double>(parameters_.begin(), parameters_.end()));
@@ -664,6 +697,7 @@ class LinearFit {
   /// Rounds the answer, checks its conditions, and says where it touches.
   void finish() {
     fit_.parameters = rounded();
+    clear_rounding(fit_.parameters, raw_hessian_, sampled_.target_norm());
     if (!parameters_.allFinite()) {
       fail(Status::not_finite, "a parameter is not finite");
       return;
