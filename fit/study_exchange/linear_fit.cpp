@@ -8,6 +8,7 @@
 
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
+#include "fit/minimax/contacts.hpp"
 #include "fit/minimax/quadratic_programme.hpp"
 #include "fit/study/even_grid.hpp"
 #include "fit/study/largest_error.hpp"
@@ -145,27 +146,17 @@ class LinearFit {
   double share_of(const Bounded& of) const { return of.part == 0 ? curves_[of.curve].share : 0; }
 
   bool impossible(std::size_t curve, const Place& place) {
-    const auto text = [&]() -> std::string {
-      switch (curves_[curve].touch) {
-        case Touch::exact:
-          return "the form cannot be exact";
-        case Touch::at_most:
-          return "no parameters keep the form <= " + to_text(*constraints_.at_most);
-        case Touch::at_least:
-          return "no parameters keep the form >= " + to_text(*constraints_.at_least);
-        case Touch::falls:
-          return "no parameters keep the form falling";
-        case Touch::rises:
-          return "no parameters keep the form rising";
-        case Touch::highest:
-          return "no parameters keep the form <= target";
-        case Touch::lowest:
-          return "no parameters keep the form >= target";
-      }
-      return "";
-    };
-    const std::string& variable = study_.axes.front().variable;
-    return fail(Status::infeasible, text() + " at " + variable + " = " + to_text(place.front()));
+    const Touch touch = curves_[curve].touch;
+    const std::string bound = touch == Touch::at_most    ? to_text(*constraints_.at_most)
+                              : touch == Touch::at_least ? to_text(*constraints_.at_least)
+                                                         : "target";
+    const std::string what = touch == Touch::falls   ? "falling"
+                             : touch == Touch::rises ? "rising"
+                             : sign_of(touch) > 0    ? "<= " + bound
+                                                     : ">= " + bound;
+    return fail(Status::infeasible,
+                (touch == Touch::exact ? "the form cannot be exact" : "no parameters keep the form " + what) +
+                    " at " + study_.axes.front().variable + " = " + to_text(place.front()));
   }
 
   bool is_searched(std::size_t curve) const {
@@ -499,7 +490,18 @@ class LinearFit {
       if (size < 1e-17L || (size < 1e-10L && !(size < before / 2))) break;
     }
     fit_.digits = correct_digits(size);
-    return fit_.digits >= least_study_digits;
+    return fit_.digits >= least_study_digits && has_signs();
+  }
+
+  /// Whether no multiplier of an inequality is negative beyond rounding.
+  bool has_signs() const {
+    constexpr double rounding = 1e-7;  // of the largest
+    double largest = 0, least = 0;
+    for (const Touching& t : touching_) {
+      largest = std::max(largest, std::abs(t.multiplier));
+      if (!t.is_held) least = std::min(least, t.multiplier);
+    }
+    return least >= -rounding * largest;
   }
 
   /// Whether no other parameters have this level: the places, and how they move, determine them.
@@ -690,7 +692,7 @@ class LinearFit {
           static_cast<double>(wide.square(std::vector<long double>(parameters_.begin(), parameters_.end()))));
     }
     fit_.digits = correct_digits(size);
-    return fit_.digits >= least_study_digits ||
+    return (fit_.digits >= least_study_digits && has_signs()) ||
            fail(Status::not_converged, "Newton's method does not settle in long double");
   }
 
@@ -704,7 +706,7 @@ class LinearFit {
     }
     parameters_ = Eigen::Map<const Vector>(fit_.parameters.data(), parameters_.size()).cast<long double>();
     const double rounding = 1e-14 * sampled_.target_norm() / unit_;
-    if (const double over = add_tops(); over > holds * std::max(level_, 1e-3) + rounding) {
+    if (const double over = add_tops(); !(over <= holds * std::max(level_, 1e-3) + rounding)) {
       fail(Status::not_converged, "a condition is exceeded by " + decimal(over * unit_, 2));
       return;
     }
@@ -744,8 +746,8 @@ class LinearFit {
   double rounding_ = exceeds / 10;  ///< of the linear programme
   double same_top_ = near_top;      ///< of the range: how near cuts are that stand for one top
   Matrix steps_ = {}, raw_hessian_ = {};
-  Matrix hessian_ = {};               ///< and
-  Vector gradient_ = {};              ///< of half the square at the start
+  Matrix hessian_ = {};               ///< of half the square at the start, along the steps, and
+  Vector gradient_ = {};              ///< its gradient
   std::vector<double> largest_ = {};  ///< slope of each curve
   std::vector<Cut> cuts_ = {};
   std::size_t before_held_ = 0;  ///< how many cuts there were when the places of the level were held
