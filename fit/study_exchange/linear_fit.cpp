@@ -76,6 +76,14 @@ class LinearFit {
     return std::move(fit_);
   }
 
+  /// By how much the constraints are exceeded at some parameters, in units of the error at the start.
+  double excess_at(const std::vector<double>& parameters) {
+    if (!measure() || !cut_grid()) return HUGE_VAL;
+    for (Eigen::Index i = 0; i < parameters_.size(); ++i)
+      parameters_[i] = parameters[static_cast<std::size_t>(i)];
+    return add_tops();
+  }
+
  private:
   /// A multiplier below this is the rounding of 0. Those of the level sum to 1.
   static constexpr double no_share = 1e-9;
@@ -763,6 +771,14 @@ bool are_dependent(const SampledStudy<double>& sampled, const std::vector<double
   Matrix slopes;
   sampled.errors(parameters, errors, &slopes);
   return row_directions(slopes, 1).cols() < slopes.cols();
+}
+
+bool keeps_constraints(const ReadStudy& study, const StudyError& error, const Constraints& constraints,
+                       const std::vector<std::vector<StudyEdge>>& edges, const SampledStudy<double>& sampled,
+                       const std::vector<double>& start, const std::vector<double>& parameters) {
+  constexpr double same = 1e-6;
+  return LinearFit(study, error, Norm::least_squares, constraints, edges, sampled, start, keep_going)
+             .excess_at(parameters) <= same;
 }
 
 StudyFit solve_linear_fit(const ReadStudy& study, const StudyError& error, Norm norm,

@@ -13,6 +13,11 @@ namespace shadefit {
 /// then some parameters change together and the curve stays the same.
 bool are_dependent(const SampledStudy<double>& sampled, const std::vector<double>& parameters);
 
+/// Whether parameters of such a form satisfy constraints, up to a small share of the error at `start`.
+bool keeps_constraints(const ReadStudy& study, const StudyError& error, const Constraints& constraints,
+                       const std::vector<std::vector<StudyEdge>>& edges, const SampledStudy<double>& sampled,
+                       const std::vector<double>& start, const std::vector<double>& parameters);
+
 /// The fit of a form that is linear in its parameters, under either norm and any constraints.
 ///
 /// The problem is convex. Its conditions, that a curve (fit/study_exchange/linear_curves.hpp) is below its

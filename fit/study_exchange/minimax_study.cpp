@@ -147,7 +147,12 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   fit.level = best->level;
   fit.alternation = best->alternation;
   std::reverse(fit.alternation.begin(), fit.alternation.end());
-  if (fit.status != Status::converged && searched.is_linear) {
+  // The exchange counts small slopes as rounding, whatever the units of the study.
+  const bool is_answer =
+      fit.status == Status::converged &&
+      (!searched.is_linear || !has_constraints(constraints) ||
+       keeps_constraints(study, error, constraints, {edges}, searched.sampled, first, fit.parameters));
+  if (searched.is_linear && !is_answer) {
     StudyFit linear = solve_linear_fit(study, error, Norm::minimax, constraints, {edges}, searched.sampled,
                                        first, checkpoint);
     linear.names = fit.names;
