@@ -14,6 +14,10 @@ constexpr std::size_t least_cycle = 60;
 /// form or of its logarithm, and is relative to 1 or to its own bound.
 constexpr double violation_floor = 1e-13;
 
+/// A condition can leave if its share is more than this part of the largest one. With a smaller one the next
+/// reference is dependent up to rounding.
+constexpr double pivot_floor = 1e-10;
+
 /// What the conditions of a cycle may exceed the answer by, relative to the largest bound or to the level.
 constexpr double cycle_excess = 1e-9;
 
@@ -134,8 +138,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       largest_share = std::max(largest_share, std::abs(shares[i]));
     }
     for (std::size_t i = 0; i < unknowns; ++i) {
-      if (conditions[result.reference[i]].is_equation || !(shares[i] > violation_floor * largest_share))
-        continue;
+      if (conditions[result.reference[i]].is_equation || !(shares[i] > pivot_floor * largest_share)) continue;
       const double ratio = std::max(0.0, result.multipliers[i]) / shares[i];
       if (ratio < smallest) {
         smallest = ratio;

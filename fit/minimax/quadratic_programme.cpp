@@ -14,9 +14,10 @@ using Matrix = Eigen::MatrixXd;
 
 /// The rounding of a condition, relative to the sizes of its terms.
 constexpr double rounding_of_condition = 1e-13;
-/// A direction counts as tangent to a condition if it changes it by less than this share of the largest
-/// possible change: the active conditions determine this one.
-constexpr double across = 1e-12;
+/// The active conditions determine another one if they leave less of its slope than this share.
+constexpr double across = 1e-10;
+/// A share of a multiplier that is the rounding of 0.
+constexpr double no_share = 1e-12;
 
 class DualMethod {
  public:
@@ -82,20 +83,21 @@ class DualMethod {
       Matrix normals(normal.size(), count);
       for (Eigen::Index i = 0; i < count; ++i)
         normals.col(i) = slope(active_[static_cast<std::size_t>(i)].condition);
-      const Matrix solved = factors_.solve(normals);
-      const Vector direct = factors_.solve(normal);
-      const Vector shares =
-          count == 0 ? Vector()
-                     : solution(pivoted_qr(normals.transpose() * solved), normals.transpose() * direct);
-      const Vector direction = count == 0 ? direct : Vector(direct - solved * shares);
-      const double gain = direction.dot(normal);
-      const bool is_across = !(gain > across * direct.dot(normal)) || count == normal.size();
+      // In coordinates where the Hessian is 1. The products of the normals would have the square of their
+      // condition number.
+      const Matrix met = factors_.matrixL().solve(normals);
+      const Vector direct = factors_.matrixL().solve(normal);
+      const Vector shares = count == 0 ? Vector() : solution(pivoted_qr(met), direct);
+      const Vector rest = count == 0 ? direct : Vector(direct - met * shares);
+      const Vector direction = factors_.matrixU().solve(rest);
+      const double gain = rest.squaredNorm();
+      const bool is_across = !(rest.norm() > across * direct.norm()) || count == normal.size();
 
       double length = is_across ? HUGE_VAL : std::max(0.0, sign * excess(entering)) / gain;
       std::optional<std::size_t> leaving;
       for (std::size_t i = 0; i < active_.size(); ++i) {
         const double share = shares[static_cast<Eigen::Index>(i)];
-        if (conditions_[active_[i].condition].is_equation || !(share > across)) continue;
+        if (conditions_[active_[i].condition].is_equation || !(share > no_share)) continue;
         if (active_[i].multiplier / share < length) {
           length = std::max(0.0, active_[i].multiplier) / share;
           leaving = i;

@@ -48,30 +48,35 @@ Tape difference_of(const ReadStudy& study) {
   return tape_of(study.form - study.target, formula_inputs(study));
 }
 
-/// |form - target|.
+/// The height of a curve above 0, or of its finite values above a ground.
 class Magnitude {
  public:
-  Magnitude(const ReadStudy& study, const std::vector<double>& parameters)
-      : parameters_(parameters), difference_(difference_of(study), parameters) {}
+  Magnitude(const Tape& curve, std::optional<double> ground, const std::vector<double>& parameters)
+      : ground_(ground), parameters_(parameters), curve_(curve, parameters) {}
 
   double operator()(const std::vector<double>& at) {
-    difference_.run(at);
-    return magnitude(difference_.output(0));
+    curve_.run(at);
+    return height(curve_.output(0));
   }
 
   /// At many places, up to rounding: for each variable its value at each of them.
   std::vector<double> over(std::span<const std::vector<double>> coordinates) const {
-    std::vector<double> values = values_at(difference_.tape(), coordinates, parameters_);
-    for (double& value : values) value = magnitude(value);
+    std::vector<double> values = values_at(curve_.tape(), coordinates, parameters_);
+    for (double& value : values) value = height(value);
     return values;
   }
 
  private:
   /// The form or the target may have no value: x log(x) is NaN at 0. Such a place does not count.
-  static double magnitude(double difference) { return std::isnan(difference) ? 0 : std::abs(difference); }
+  double height(double value) const {
+    if (ground_ && !std::isfinite(value)) return 0;
+    return std::max(0.0, value - ground_.value_or(0));
+  }
+
+  std::optional<double> ground_;
 
   const std::vector<double>& parameters_;
-  TapeProgram<double> difference_;
+  TapeProgram<double> curve_;
 };
 
 /// Moves a place to the top of its hill, one variable after the other, by golden-section search between its
@@ -117,7 +122,7 @@ StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
   return best;
 }
 
-/// |form - target| on the product of the places of each axis, the first one running fastest.
+/// The heights on the product of the places of each axis, the first one running fastest.
 class Grid {
  public:
   Grid(const Magnitude& magnitude, std::vector<std::vector<double>> places) : places_(std::move(places)) {
@@ -192,13 +197,20 @@ class Grid {
 std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
                                          const std::vector<std::vector<StudyEdge>>& edges,
                                          const std::vector<double>& parameters, double share) {
+  const Symbolic magnitude = Symbolic::function("abs", {study.form - study.target});
+  return tops_of(tape_of(magnitude, formula_inputs(study)), std::nullopt, edges, parameters, share);
+}
+
+std::vector<StudyExtremum> tops_of(const Tape& curve, std::optional<double> ground,
+                                   const std::vector<std::vector<StudyEdge>>& edges,
+                                   const std::vector<double>& parameters, double share) {
   constexpr std::array counts{200, 32, 12};
   // The share of a hill's height that the grid sees at least: near its top the error is a parabola.
   constexpr std::array shares{0.99, 0.95, 0.8};
-  const std::size_t axes = study.axes.size();
+  const std::size_t axes = edges.size();
   std::vector<std::vector<double>> places;
   for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1], axes == 1));
-  Magnitude magnitude(study, parameters);
+  Magnitude magnitude(curve, ground, parameters);
   const Grid grid(magnitude, std::move(places));
   std::vector<StudyExtremum> tops;
   for (const std::size_t top : grid.tops(std::min(share, shares[axes - 1]))) {

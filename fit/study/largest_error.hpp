@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fit/study/study_fit.hpp"
 #include "fit/study/study_nodes.hpp"
+#include "fit/tape/tape.hpp"
 
 namespace shadefit {
 
@@ -18,6 +20,12 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
 std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
                                          const std::vector<std::vector<StudyEdge>>& edges,
                                          const std::vector<double>& parameters, double share);
+
+/// The same for the first output of a tape where it is positive. With a ground its magnitude is that of its
+/// finite values above it.
+std::vector<StudyExtremum> tops_of(const Tape& curve, std::optional<double> ground,
+                                   const std::vector<std::vector<StudyEdge>>& edges,
+                                   const std::vector<double>& parameters, double share);
 
 /// The study with the form weight * (form - target), divided by the target if the error is relative. Its
 /// target is 0.

@@ -16,6 +16,7 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
+#include "fit/study_exchange/linear_fit.hpp"
 #include "fit/study_squares/confirm_integrals.hpp"
 #include "fit/study_squares/rules.hpp"
 #include "fit/study_squares/solve_study.hpp"
@@ -168,7 +169,9 @@ class ConstrainedFit {
       go_to(base, step);
       if (size < last_step) return true;
     }
-    return fail(Status::not_converged, "the steps did not end in " + std::to_string(most_steps));
+    return fail(Status::not_converged, here_.violation() > 0
+                                           ? "no step leads to parameters that " + here_.most_violated()
+                                           : "the steps did not end in " + std::to_string(most_steps));
   }
 
   void go_to(const MinimaxParameters& base, const Vector& step) {
@@ -345,13 +348,18 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
   const ExchangedStudy exchanged(study, error, edges, lowest, constraints);
 
   std::optional<StudyFit> best;
+  const bool is_dependent = searched.is_linear && are_dependent(searched.sampled, lowest);
   for (const StudyCandidate& candidate : lowest_basins(searched)) {
+    if (is_dependent) break;
     StudyFit fit =
         ConstrainedFit(study, error, edges, exchanged.problem(), candidate.parameters).solve(checkpoint);
     const bool is_better = !best || (fit.status == Status::converged &&
                                      (best->status != Status::converged || fit.rms_error < best->rms_error));
     if (is_better) best = std::move(fit);
   }
+  if (searched.is_linear && (is_dependent || best->status != Status::converged))
+    best = solve_linear_fit(study, error, Norm::least_squares, constraints, {edges}, searched.sampled, lowest,
+                            checkpoint);
   best->names = study.parameters;
   best->why = with_variable(best->why, study.axes.front().variable);
   best->starts = searched.starts;

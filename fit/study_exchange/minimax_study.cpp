@@ -10,6 +10,7 @@
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
+#include "fit/study_exchange/linear_fit.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"
 #include "fit/study_rows/minimax_rows.hpp"
 #include "fit/study_squares/confirm_integrals.hpp"
@@ -146,6 +147,19 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   fit.level = best->level;
   fit.alternation = best->alternation;
   std::reverse(fit.alternation.begin(), fit.alternation.end());
+  // The exchange counts small slopes as rounding, whatever the units of the study.
+  const bool is_answer =
+      fit.status == Status::converged &&
+      (!searched.is_linear || !has_constraints(constraints) ||
+       keeps_constraints(study, error, constraints, {edges}, searched.sampled, first, fit.parameters));
+  if (searched.is_linear && !is_answer) {
+    StudyFit linear = solve_linear_fit(study, error, Norm::minimax, constraints, {edges}, searched.sampled,
+                                       first, checkpoint);
+    linear.names = fit.names;
+    linear.starts = fit.starts;
+    linear.is_global = true;
+    fit = std::move(linear);
+  }
   if (fit.status == Status::infeasible || fit.status == Status::not_finite)
     require_finite_form(study, Norm::minimax);
   if (fit.status == Status::infeasible)

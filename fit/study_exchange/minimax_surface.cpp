@@ -13,7 +13,7 @@
 #include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/curved_level.hpp"
 #include "fit/study_exchange/determined.hpp"
-#include "fit/study_exchange/least_at_level.hpp"
+#include "fit/study_exchange/linear_fit.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
 #include "fit/study_exchange/top_polish.hpp"
 #include "fit/study_squares/confirm_integrals.hpp"
@@ -31,7 +31,6 @@ class SurfaceExchange {
       : error_(error),
         study_(study),
         sampled_(sampled),
-        start_(start),
         weighted_(weighted_error_of(study)),
         parameters_(start),
         size_(parameters_.size()),
@@ -43,29 +42,17 @@ class SurfaceExchange {
     level_ = look(parameters_);
     std::vector<double> base = parameters_;
     double scale = 1;
-    int stays = 0;  // programmes since the level last rose
     for (int step = 0; step < most_steps; ++step) {
       checkpoint();
       const auto support = level_step(error_, places_.all(), base, sampled_.target_norm());
       if (!support) return failed(Status::degenerate, "the parameters do not move the error independently");
       support_ = *support;
       const double promised = support_.lowest.unknowns[size_];
-      if (promised > promised_ * (1 + agree)) {
-        promised_ = promised;
-        highest_ = level_support();
-        stays = 0;
-      } else {
-        ++stays;
-      }
       if (!(level_ > 1e-14 * sampled_.target_norm()))
         return failed(Status::degenerate,
                       "the largest error is down to the rounding of the form: it has no level");
       if (level_ - promised <= agree * level_ + support_.rounding) return checked(settled(base));
-      if (stays == enough_stays && leaves_open(highest_)) {
-        if (const auto fit = least_of_many()) return *fit;
-      }
       for (std::size_t i = 0; i < size_; ++i) parameters_[i] = base[i] + scale * support_.lowest.unknowns[i];
-      const Places before = places_.all();
       const double level = look(parameters_);
       if (level < level_) {
         level_ = level;
@@ -73,12 +60,10 @@ class SurfaceExchange {
         scale = 1;
         continue;
       }
-      // A linear form needs no smaller steps, only the new tops.
-      if (!is_linear()) scale /= 2;
-      if (is_linear() ? places_.all() == before : scale < 1e-6) return checked(settled(base));
+      scale /= 2;
+      if (scale < 1e-6) return checked(settled(base));
     }
-    const auto fit =
-        is_linear() ? least_of_many() : curved_level(study_, edges_, places_.all(), base, checkpoint);
+    const auto fit = curved_level(study_, edges_, places_.all(), base, checkpoint);
     return fit ? *fit
                : failed(Status::not_converged, "fewer than " + std::to_string(size_ + 1) +
                                                    " tops of the error hold the level, about " +
@@ -103,49 +88,12 @@ class SurfaceExchange {
 
  private:
   static constexpr int most_steps = 40;
-  /// After so many programmes of one level the tops of the error hardly change it.
-  static constexpr int enough_stays = 3;
   /// Newton's method starts when the programme and the search for tops agree on the level to this share of
   /// it.
   static constexpr double agree = 1e-10;
   /// A top within this share of the level is at the level. Newton's method moves tops outside the support by
   /// less.
   static constexpr double same_level = 1e-9;
-
-  bool is_linear() const {
-    const auto& linear = error_.is_linear();
-    return std::find(linear.begin(), linear.end(), false) == linear.end();
-  }
-
-  /// The places of the last programme.
-  LevelSupport level_support() const {
-    LevelSupport result{{}, support_.signs, {}};
-    for (std::size_t i = 0; i <= size_; ++i) {
-      result.places.push_back(places_.all()[support_.places[i]]);
-      result.multipliers.push_back(support_.lowest.multipliers[i]);
-    }
-    return result;
-  }
-
-  /// Whether a support has fewer places with a multiplier than determine the parameters.
-  bool leaves_open(const LevelSupport& support) const {
-    const auto count = std::count_if(support.multipliers.begin(), support.multipliers.end(),
-                                     [](double multiplier) { return multiplier > 1e-9; });
-    return static_cast<std::size_t>(count) <= size_;
-  }
-
-  /// If the form is linear, and many parameters have the least level, those with the least mean square.
-  std::optional<StudyFit> least_of_many() {
-    if (!is_linear()) return std::nullopt;
-    const auto tops = [&](const std::vector<double>& parameters) {
-      return polished_tops(weighted_, edges_, polish_, parameters);
-    };
-    const auto fit = least_at_level({study_, weighted_, error_, edges_}, highest_, start_, tops);
-    if (!fit) return std::nullopt;
-    StudyFit result = checked(*fit);
-    if (result.status != Status::converged) return std::nullopt;
-    return result;
-  }
 
   StudyFit failed(Status status, std::string why) const {
     StudyFit fit;
@@ -217,7 +165,6 @@ class SurfaceExchange {
     if (!is_determined(fit)) {
       fit.status = Status::degenerate;
       fit.why = "the level, " + decimal(*fit.level, 10) + ", is the least, but other parameters have it too";
-      return least_of_many().value_or(fit);
     }
     return fit;
   }
@@ -245,7 +192,6 @@ class SurfaceExchange {
   const StudyError& error_;
   const ReadStudy& study_;
   const SampledStudy<double>& sampled_;  ///< detects poles
-  const std::vector<double> start_;
   ReadStudy weighted_;
   std::vector<double> parameters_;
   std::size_t size_;
@@ -254,8 +200,6 @@ class SurfaceExchange {
   TopPlaces places_;
   LevelStep support_ = {};
   double level_ = 0;
-  double promised_ = 0;  ///< the highest level of a programme: of a linear form none is lower
-  LevelSupport highest_ = {};
 };
 
 }  // namespace
@@ -277,7 +221,11 @@ StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& 
     const std::vector<double> end = exchange.parameters();
     return beyond_infinity(start, end, [&](const std::vector<double>& at) { return exchange.look(at); });
   };
+  if (searched.is_linear)
+    lowest = solve_linear_fit(study, error, Norm::minimax, {}, edges_of(study), searched.sampled,
+                              searched.candidates.front().parameters, checkpoint);
   for (const StudyCandidate& candidate : lowest_basins(searched)) {
+    if (searched.is_linear) break;
     if (const auto other_side = exchange_from(candidate.parameters)) exchange_from(*other_side);
   }
   StudyFit best = std::move(*lowest);

@@ -11,20 +11,18 @@ namespace shadefit {
 ///
 /// The exchange minimises the largest |weight * error| on a set of places that grows. A linear programme of
 /// the errors and their derivatives there (fit/minimax/linear_programme.hpp) gives a step, and the tops of
-/// the error after the step join the set. If the form is linear in its parameters, the level of the programme
-/// is a lower bound for all parameters, by duality. When it meets the largest error, the fit is proven to be
-/// the best, up to the search for tops. A form that is not linear is linearised at each step, and a step that
-/// does not lower the largest error is halved. Source: Remez 1934, "Sur la détermination des polynomes
+/// the error after the step join the set. The form is linearised at each step, and a step that does not
+/// lower the largest error is halved. A form that is linear in its parameters is fitted by
+/// `solve_linear_fit`. Source: Remez 1934, "Sur la détermination des polynomes
 /// d'approximation de degré donnée"; in several variables the exchange of one finite set for a larger one is
 /// that of Blankenship, Falk 1976, "Infinitely constrained optimization problems", Journal of Optimization
 /// Theory and Applications 19.
 ///
 /// It starts from the least-squares fit and from other basins; the lowest level counts. `digits` are those of
 /// a Newton step in long double on the places that determine the parameters, one more than there are
-/// parameters. In several variables fewer tops may be at the level. If the form is linear, many parameters
-/// have it then, and the fit is the one with the least mean square (`least_at_level`). Otherwise the fit is
-/// degenerate or not converged, and `why` has the level. An exchange that runs to infinity also starts beyond
-/// it (`beyond_infinity`).
+/// parameters. In several variables fewer tops may be at the level. Then their curvature determines the rest
+/// (`curved_level`), or the fit is degenerate or not converged, and `why` has the level. An exchange that
+/// runs to infinity also starts beyond it (`beyond_infinity`).
 StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& starts,
                                const Checkpoint& checkpoint = keep_going);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,9 +13,6 @@ namespace shadefit {
 
 /// Each has a coordinate for each variable of the study.
 using Places = std::vector<std::vector<double>>;
-
-/// The tops of the error at some parameters.
-using TopsOfError = std::function<Places(const std::vector<double>& parameters)>;
 
 /// The places as nodes of equal weights.
 StudyNodes nodes_at(const Places& places);
