@@ -91,7 +91,7 @@ std::string fault_of(const StudyFit& fit, const Target& target, Norm norm,
     // least level from below. Other places bound this one's from above.
     double least = HUGE_VAL, most = 0;
     std::vector<double> alternating;
-    for (const AlternationPoint& point : fit.alternation) alternating.push_back(error_at(point.at.c));
+    for (const AlternationPoint& point : fit.alternation) alternating.push_back(error_at(point.at.cos_theta));
     for (std::size_t i = 0; i < alternating.size(); ++i) {
       if (i > 0 && alternating[i] * alternating[i - 1] > 0) return "the signs do not change";
       least = std::min(least, std::abs(alternating[i]));
