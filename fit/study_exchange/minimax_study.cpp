@@ -8,8 +8,8 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study/solve_in_units.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"
 #include "fit/study_rows/minimax_rows.hpp"
@@ -107,8 +107,10 @@ std::optional<std::vector<double>> other_side(const ReadStudy& study, const Exch
   });
 }
 
-StudyFit solve_in_these_units(const ReadStudy& study, const Constraints& constraints,
-                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
+}  // namespace
+
+StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
+                             const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_possible(study, constraints);
   require_finite(study, study.target, "--target", Norm::minimax);
   if (study.rows) return solve_minimax_rows(study, starts, checkpoint);
@@ -154,17 +156,6 @@ StudyFit solve_in_these_units(const ReadStudy& study, const Constraints& constra
   fit.max_abs_error = largest_error(study, {found->edges}, fit.parameters);
   confirm_integrals(study, fit);
   return fit;
-}
-
-}  // namespace
-
-StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
-                             const std::vector<Held>& starts, const Checkpoint& checkpoint) {
-  const auto solve = [&](const ReadStudy& in_units, const std::vector<Held>& from) {
-    return solve_in_these_units(in_units, constraints, from, checkpoint);
-  };
-  // Constraints are in the units of the study.
-  return has_constraints(constraints) ? solve(study, starts) : solve_in_units(study, starts, solve);
 }
 
 }  // namespace shadefit

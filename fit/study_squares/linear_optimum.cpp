@@ -1,6 +1,6 @@
 #include "fit/study_squares/linear_optimum.hpp"
 
-#include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -11,103 +11,45 @@
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
-namespace {
-
-using Row = std::vector<Decimal50>;
-
-/// The sums of weight * u * v over the nodes, for u and v the derivatives of the error by the parameters, and
-/// last the error itself.
-class WideSums {
- public:
-  WideSums(const ReadStudy& study, const StudyNodes& nodes)
-      : nodes_(nodes),
-        count_(study.parameters.size()),
-        inputs_(count_ + nodes.coordinates.size()),
-        program_(tape_of(error_formula(study), names(study), count_), {}) {}
-
-  std::vector<Row> operator()(const Row& parameters) {
-    std::vector<Row> sums(count_ + 1, Row(count_ + 1));
-    std::ranges::copy(parameters, inputs_.begin());
-    for (std::size_t n = 0; n < nodes_.weights.size(); ++n) {
-      for (std::size_t i = 0; i < nodes_.coordinates.size(); ++i)
-        inputs_[count_ + i] = nodes_.coordinates[i][n];
-      program_.run(inputs_);
-      for (std::size_t i = 0; i <= count_; ++i) {
-        const Decimal50 weighted = Decimal50(nodes_.weights[n]) * column(i);
-        for (std::size_t j = 0; j <= i; ++j) sums[i][j] += weighted * column(j);
-      }
-    }
-    for (std::size_t i = 0; i <= count_; ++i)
-      for (std::size_t j = 0; j < i; ++j) sums[j][i] = sums[i][j];
-    return sums;
-  }
-
- private:
-  static std::vector<std::string> names(const ReadStudy& study) {
-    std::vector<std::string> result = study.parameters;
-    std::ranges::copy(node_variables(study), std::back_inserter(result));
-    return result;
-  }
-  /// The first output is the error.
-  const Decimal50& column(std::size_t i) const { return program_.output((i + 1) % (count_ + 1)); }
-
-  const StudyNodes& nodes_;
-  std::size_t count_;
-  Row inputs_;
-  TapeProgram<Decimal50> program_;
-};
-
-/// Replaces a positive definite matrix, the sums without their last row and column, by its inverse; that
-/// column by minus the solution (Gauss, Jordan). False if a column is a combination of those before it.
-bool invert_in_place(std::vector<Row>& a) {
-  const Decimal50 independent("1e-45");  // of 50 digits, less those that the sums lose
-  const std::size_t n = a.size() - 1;
-  Row diagonal;
-  for (std::size_t k = 0; k < n; ++k) diagonal.push_back(a[k][k]);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(a[k][k] > independent * diagonal[k])) return false;
-    const Decimal50 inverse = 1 / a[k][k];
-    a[k][k] = 1;
-    for (Decimal50& x : a[k]) x *= inverse;
-    for (std::size_t i = 0; i <= n; ++i) {
-      if (i == k) continue;
-      const Decimal50 factor = a[i][k];
-      a[i][k] = 0;
-      for (std::size_t j = 0; j <= n; ++j) a[i][j] -= factor * a[k][j];
-    }
-  }
-  return true;
-}
-
-}  // namespace
 
 std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const StudyNodes& nodes,
                                                   const std::vector<double>& start) {
   // A linear form takes one step to its 50 digits, a curved one as many as still fall.
   constexpr int most_rounds = 20;
-  constexpr long double falls = 0.8L;
-  WideSums sums_at(study, nodes);
-  Row at(start.begin(), start.end());
-  const std::size_t n = at.size();
+  constexpr long double falls = 0.8L, dependent = 1e45L;
+  const std::size_t n = start.size();
+  std::vector<std::string> names = study.parameters;
+  std::ranges::copy(node_variables(study), std::back_inserter(names));
+  TapeProgram<Decimal50> program(tape_of(error_formula(study), names, n), {});
+  std::vector<Decimal50> at(start.begin(), start.end());
+  at.resize(names.size());
+  VectorOf<Decimal50> row(n + 1);  // the error and its derivatives
   LinearOptimum found;
-  for (LinearOptimum::Vector* v : {&found.parameters, &found.last_step, &found.spread})
-    v->resize(static_cast<Eigen::Index>(n));
-  long double last = HUGE_VALL;
-  for (int round = 0; round < most_rounds; ++round) {
-    std::vector<Row> sums = sums_at(at);
-    found.square = static_cast<long double>(sums[n][n]);
-    if (!std::isfinite(found.square) || !invert_in_place(sums)) return std::nullopt;
-    long double longest = 0;  // by how far it moves the form: a root mean square
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      at[i] -= sums[i][n];
-      found.parameters[k] = static_cast<long double>(at[i]);
-      found.last_step[k] = static_cast<long double>(sums[i][n]);
-      found.spread[k] = std::sqrt(static_cast<long double>(sums[i][i]));
-      longest = std::max(longest, std::abs(found.last_step[k]) / found.spread[k]);
+  for (long double last = HUGE_VALL, moved = 0, round = 0; round < most_rounds; ++round, last = moved) {
+    MatrixOf<Decimal50> sums = MatrixOf<Decimal50>::Zero(row.size(), row.size());
+    for (std::size_t node = 0; node < nodes.weights.size(); ++node) {
+      for (std::size_t i = n; i < at.size(); ++i) at[i] = nodes.coordinates[i - n][node];
+      program.run(at);
+      for (std::size_t i = 0; i <= n; ++i) row[static_cast<Eigen::Index>(i)] = program.output(i);
+      sums += Decimal50(nodes.weights[node]) * row * row.transpose();
     }
-    if (longest >= falls * last) break;
-    last = longest;
+    const auto count = static_cast<Eigen::Index>(n);
+    const MatrixOf<Decimal50> hessian = sums.bottomRightCorner(count, count), inverse = hessian.inverse();
+    const VectorOf<Decimal50> step = inverse * sums.col(0).tail(count);
+    found = {{},
+             step.cast<long double>(),
+             inverse.diagonal().cast<long double>().cwiseSqrt(),
+             static_cast<long double>(sums(0, 0))};
+    const VectorOf<long double> sizes = hessian.diagonal().cast<long double>().cwiseSqrt();
+    const long double condition = found.spread.cwiseProduct(sizes).maxCoeff();
+    if (!std::isfinite(found.square) || !(condition * condition < dependent)) return std::nullopt;
+    found.parameters.resize(count);
+    for (std::size_t i = 0; i < n; ++i) {
+      at[i] -= step[static_cast<Eigen::Index>(i)];
+      found.parameters[static_cast<Eigen::Index>(i)] = static_cast<long double>(at[i]);
+    }
+    moved = found.last_step.cwiseQuotient(found.spread).cwiseAbs().maxCoeff();
+    if (!(moved < falls * last)) break;
   }
   return found;
 }

@@ -9,7 +9,6 @@
 #include "fit/study/require_values.hpp"
 #include "fit/study/row_statistics.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study/solve_in_units.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_squares/confirm_integrals.hpp"
 #include "fit/study_squares/equal_candidates.hpp"
@@ -70,8 +69,9 @@ StudyFit settled_fit(const ReadStudy& study, Rules& rules, const SearchedStudy& 
   return fit;
 }
 
-StudyFit solve_in_these_units(const ReadStudy& study, const std::vector<Held>& starts,
-                              const Checkpoint& checkpoint) {
+}  // namespace
+
+StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_finite(study, study.target, "--target", Norm::least_squares);
   const StudyError error(study);
   Rules rules(study, error);
@@ -110,14 +110,6 @@ StudyFit solve_in_these_units(const ReadStudy& study, const std::vector<Held>& s
   }
   confirm_integrals(study, fit);
   return fit;
-}
-
-}  // namespace
-
-StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
-  return solve_in_units(study, starts, [&](const ReadStudy& in_units, const std::vector<Held>& from) {
-    return solve_in_these_units(in_units, from, checkpoint);
-  });
 }
 
 }  // namespace shadefit

@@ -12,6 +12,7 @@
 #include "fit/study/require_values.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_squares/rules.hpp"
+#include "fit/study_squares/solve_in_units.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
 #include "fit/verdicts/verdict.hpp"
@@ -271,10 +272,14 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
     if (formulas.parameters.empty()) return errors_of_given(formulas);
   }
   const ReadStudy read = read_study(objective.study);
-  StudyFit fit =
-      objective.norm == Norm::minimax
-          ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-          : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+  const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
+    return objective.norm == Norm::minimax
+               ? solve_minimax_study(study, objective.constraints, starts, checkpoint)
+               : solve_constrained_study(study, objective.constraints, starts, checkpoint);
+  };
+  // Constraints are in the units of the study.
+  StudyFit fit = has_constraints(objective.constraints) ? solve(read, objective.study.starts)
+                                                        : solve_in_units(read, objective.study.starts, solve);
   const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
   if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
     fit.status = Status::not_finite;
