@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,17 @@ Symbolic separated(const Symbolic& e, std::vector<Symbolic>& integrals) {
   std::vector<Symbolic> parts;
   for (const Symbolic& part : e.parts()) parts.push_back(separated(part, integrals));
   return parts.empty() ? e : e.with_parts(std::move(parts));
+}
+
+/// The terms of a sum by their texts, and how often each is in it, less how often it is subtracted.
+void collect_terms(const Symbolic& e, int times, std::map<std::string, std::pair<Symbolic, int>>& terms) {
+  using Kind = Symbolic::Kind;
+  if (e.kind() == Kind::add || e.kind() == Kind::subtract) {
+    collect_terms(e.part(0), times, terms);
+    collect_terms(e.part(1), e.kind() == Kind::add ? times : -times, terms);
+  } else {
+    terms.emplace(to_text(e), std::pair(e, 0)).first->second.second += times;
+  }
 }
 
 }  // namespace
@@ -65,6 +77,27 @@ struct EnclosedError::Programs {
   std::vector<int> value, slopes, curvatures;
   Jumps jumps, kinks;
 };
+
+ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameters) {
+  const Symbolic with_decimals = evaluate<Symbolic>(study.form, [&](const std::string& name) {
+    const auto found = std::ranges::find(parameters, name, &Constants::value_type::first);
+    const bool is_decimal =
+        found != parameters.end() && found->second.find_first_not_of("0123456789.") == std::string::npos;
+    return is_decimal ? Symbolic::number(found->second) : Symbolic::variable(name);
+  });
+  std::map<std::string, std::pair<Symbolic, int>> terms;
+  collect_terms(with_decimals, 1, terms);
+  collect_terms(study.target, -1, terms);
+  if (std::ranges::none_of(terms, [](const auto& term) { return term.second.second == 0; })) return study;
+  ReadStudy result = study;
+  result.form = result.target = Symbolic::number("0");
+  for (const auto& [text, term] : terms)
+    if (term.second != 0)
+      result.form = result.form + Symbolic::number(std::to_string(term.second)) * term.first;
+  result.weight = error_factor(study);
+  result.error = Error::absolute;
+  return result;
+}
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
                              KnownIntegrals known)
