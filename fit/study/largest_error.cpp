@@ -197,7 +197,8 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
   constexpr std::array shares{0.99, 0.95, 0.8};
   const std::size_t axes = study.axes.size();
   std::vector<std::vector<double>> places;
-  for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1], axes == 1));
+  for (const auto& of_axis : edges)
+    places.push_back(axis_places(with_sides(of_axis), counts[axes - 1], axes == 1));
   Magnitude magnitude(study, parameters);
   const Grid grid(magnitude, std::move(places));
   std::vector<StudyExtremum> tops;
