@@ -21,8 +21,8 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 /// Those of each axis; none of measured rows.
 std::vector<std::vector<StudyEdge>> edges_of(const ReadStudy& study);
 
-/// Edges with both sides of each jump in place of it: first the left one, which has `is_jump`. Of a jump at an
-/// end they are the end and its side.
+/// Edges with both sides of each jump in place of it: first the left one, which has `is_jump`. Of a jump at
+/// an end they are the end and its side.
 std::vector<StudyEdge> with_sides(const std::vector<StudyEdge>& edges);
 
 /// The parts of the form at whose zeros it has a kink that parameters move: a x - b of max(a x, b).
