@@ -20,9 +20,9 @@ void collect_of_function(const Symbolic& e, std::vector<Hinge>& hinges) {
   if (name == "min" || name == "max") {
     hinges.push_back({x - e.part(1), false, false});
   } else if (name == "abs" || name == "sign") {
-    hinges.push_back({x, false, false});
+    hinges.push_back({x, false, false, name == "sign"});
   } else if (name == "floor") {
-    hinges.push_back({sin(Symbolic::constant("pi") * x), false, false});  // zero at whole numbers
+    hinges.push_back({sin(Symbolic::constant("pi") * x), false, false, true});  // zero at whole numbers
   } else if (name == "sqrt") {
     hinges.push_back({x, true, false});
   } else if (name == "asin" || name == "acos") {
@@ -31,7 +31,7 @@ void collect_of_function(const Symbolic& e, std::vector<Hinge>& hinges) {
   } else if (name == "tan") {
     hinges.push_back({cos(x), true, true});
   } else if (name == "atan2") {
-    hinges.push_back({x, false, false});  // y changes its sign: a jump where x is negative
+    hinges.push_back({x, false, false, true});  // y changes its sign: a jump where x is negative
   } else if (name == "log" || name == "log2") {
     hinges.push_back({x, true, true});
   } else if (name == "log1p" || name == "log1p_remainder") {
@@ -66,7 +66,7 @@ void collect(const Symbolic& e, std::vector<Hinge>& hinges) {
   if (e.kind() == Kind::integral) return collect_of_integral(e, hinges);
   for (const Symbolic& part : e.parts()) collect(part, hinges);
   if (e.kind() == Kind::choice) {
-    hinges.push_back({e.part(0) - e.part(1), false, false});
+    hinges.push_back({e.part(0) - e.part(1), false, false, true});
   } else if (e.kind() == Kind::divide) {
     hinges.push_back({e.part(1), true, true});
   } else if (e.kind() == Kind::integer_power && e.exponent() < 0) {

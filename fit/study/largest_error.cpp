@@ -209,7 +209,8 @@ std::vector<StudyExtremum> tops_of(const Tape& curve, std::optional<double> grou
   constexpr std::array shares{0.99, 0.95, 0.8};
   const std::size_t axes = edges.size();
   std::vector<std::vector<double>> places;
-  for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1], axes == 1));
+  for (const auto& of_axis : edges)
+    places.push_back(axis_places(with_sides(of_axis), counts[axes - 1], axes == 1));
   Magnitude magnitude(curve, ground, parameters);
   const Grid grid(magnitude, std::move(places));
   std::vector<StudyExtremum> tops;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <set>
 #include <span>
 #include <string>
@@ -93,15 +94,24 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
     if (std::isfinite(values.back())) largest = std::max(largest, std::abs(values.back()));
   }
   const int power = hinge.is_root ? power_at_root : 1;
-  const auto is_zero = [&](double v) { return std::abs(v) <= 1e-14 * largest; };
-  if (std::all_of(values.begin(), values.end(), is_zero)) return;
+  // Zero is far below the values beside it too: 1 + exp(x) is 1 and more for any largest value.
+  const auto is_zero = [&](std::size_t i) {
+    constexpr double far_below = 0.1;
+    const auto is_far_below = [&](double v, double beside) {
+      return beside != 0 && !(v > far_below * std::abs(beside));
+    };
+    const double v = std::abs(values[i]);
+    return v <= 1e-14 * largest && (i == 0 || is_far_below(v, values[i - 1])) &&
+           (i + 1 == values.size() || is_far_below(v, values[i + 1]));
+  };
   const auto is_below = [&](double x) { return part.value(x) < 0; };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == places.size();
-    if (is_zero(values[i]) && (hinge.is_root || !is_end)) edges.push_back({places[i], power});
-    if (i == 0 || is_zero(values[i]) || is_zero(values[i - 1])) continue;
+    if (is_zero(i) && (hinge.is_root || hinge.is_jump || !is_end))
+      edges.push_back({places[i], power, hinge.is_jump});
+    if (i == 0 || is_zero(i) || is_zero(i - 1)) continue;
     if ((values[i - 1] < 0) != (values[i] < 0)) {
-      edges.push_back({bisected(places[i - 1], places[i], is_below), power});
+      edges.push_back({bisected(places[i - 1], places[i], is_below), power, hinge.is_jump});
     } else if (part.slope(places[i - 1]) * values[i - 1] < 0 && part.slope(places[i]) * values[i] > 0) {
       // an extremum between, which may touch zero
       const double x =
@@ -121,7 +131,8 @@ void append_panel(const StudyAxis& axis, double root, double other, int power, u
   const long double length = static_cast<long double>(other) - static_cast<long double>(root);
   const bool is_uniform = is_one(axis.density);
   visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
-    const long double lower_power = power == 1 ? 1 : std::pow(u, static_cast<long double>(power - 1));
+    long double lower_power = 1;
+    for (int i = 1; i < power; ++i) lower_power *= u;
     const long double distance = length * lower_power * u;
     long double weight = w * std::abs(length) * static_cast<long double>(power) * lower_power;
     if (!is_uniform) {
@@ -166,6 +177,7 @@ std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edge
   for (const StudyEdge& edge : edges) {
     if (!result.empty() && edge.at - result.back().at <= near) {
       result.back().power = std::max(result.back().power, edge.power);
+      result.back().is_jump = result.back().is_jump || edge.is_jump;
     } else {
       result.push_back(edge);
     }
@@ -182,11 +194,11 @@ std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edge
 template <class Passes>
 std::vector<Hinge> hinges_where(std::initializer_list<const Symbolic*> formulas, const Passes& passes) {
   std::vector<Hinge> result;
-  std::set<std::tuple<std::string, bool, bool>> known;
+  std::set<std::tuple<std::string, bool, bool, bool>> known;
   for (const Symbolic* formula : formulas) {
     for (const Hinge& hinge : hinges_of(*formula)) {
       if (passes(free_variables(hinge.part)) &&
-          known.emplace(to_text(hinge.part), hinge.is_root, hinge.is_pole).second)
+          known.emplace(to_text(hinge.part), hinge.is_root, hinge.is_pole, hinge.is_jump).second)
         result.push_back(hinge);
     }
   }
@@ -269,6 +281,24 @@ std::vector<StudyEdge> edges_at(const StudyAxis& axis, std::vector<StudyEdge> ed
   return merged(axis, std::move(edges));
 }
 
+/// The edges of an axis, and its ends where a root is zero in a corner, the axes before it at an end: near
+/// that corner it is nearly singular there.
+std::vector<StudyEdge> with_corners(const ReadStudy& study, std::vector<StudyEdge> edges,
+                                    std::vector<MixedHinge>& mixed, std::size_t index) {
+  const StudyAxis& axis = study.axes[index];
+  for (std::size_t corner = 0; corner < std::size_t{1} << index; ++corner) {
+    std::vector<long double> before;
+    for (std::size_t k = 0; k < index; ++k)
+      before.push_back((corner >> k & 1) != 0 ? study.axes[k].upper : study.axes[k].lower);
+    for (auto& [hinge, part] : mixed) {
+      part.set_before(before);
+      for (const double end : {axis.lower, axis.upper})
+        if (hinge.is_root && part.value(end) == 0) edges.push_back({end, power_at_root});
+    }
+  }
+  return edges;
+}
+
 StudyNodes nodes_of_rows(const MeasuredRows& rows) {
   StudyNodes nodes;
   for (const auto& places : rows.places) nodes.coordinates.emplace_back(places.begin(), places.end());
@@ -347,6 +377,20 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   return merged(axis, std::move(edges));
 }
 
+std::vector<StudyEdge> with_sides(const std::vector<StudyEdge>& edges) {
+  const double lower = edges.front().at, upper = edges.back().at;
+  // A bisection ends within a few roundings of the jump.
+  const double beside = 1e-15 * std::max(std::abs(lower), std::abs(upper));
+  std::vector<StudyEdge> result;
+  for (const StudyEdge& edge : edges) {
+    result.push_back(edge);
+    if (!edge.is_jump) continue;
+    result.back().at = std::max(lower, edge.at - beside);
+    result.push_back({std::min(upper, edge.at + beside), edge.power});
+  }
+  return result;
+}
+
 std::vector<std::vector<StudyEdge>> edges_of(const ReadStudy& study) {
   std::vector<std::vector<StudyEdge>> edges;
   for (std::size_t i = 0; i < study.axes.size() && !study.rows; ++i) edges.push_back(edges_of(study, i));
@@ -376,6 +420,7 @@ StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyE
   StudyNodes nodes{{}, {1.0L}, 1};
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     std::vector<MixedHinge> mixed = mixed_hinges(study, i);
+    const std::vector<StudyEdge> own = with_corners(study, edges[i], mixed, i);
     std::vector<AxisNode> of_axis = axis_nodes(study.axes[i], edges[i], rule_size);
     StudyNodes product{std::vector<std::vector<long double>>(i + 1), {}, 1};
     product.weights.reserve(nodes.weights.size() * of_axis.size());
@@ -384,7 +429,7 @@ StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyE
       std::vector<long double> before;
       for (std::size_t k = 0; k < i; ++k) before.push_back(nodes.coordinates[k][n]);
       if (!mixed.empty())
-        of_axis = axis_nodes(study.axes[i], edges_at(study.axes[i], edges[i], mixed, before), rule_size);
+        of_axis = axis_nodes(study.axes[i], edges_at(study.axes[i], own, mixed, before), rule_size);
       for (const AxisNode& node : of_axis) {
         for (std::size_t k = 0; k < i; ++k) product.coordinates[k].push_back(before[k]);
         product.coordinates[i].push_back(node.at);

@@ -11,7 +11,8 @@ namespace shadefit {
 /// A place where some formula of a study is not smooth in a variable.
 struct StudyEdge {
   double at;
-  int power = 1;  ///< the formula is smooth in this root of the distance
+  int power = 1;         ///< the formula is smooth in this root of the distance
+  bool is_jump = false;  ///< whether it has another value on each side, and perhaps a third one here
 };
 
 /// The edges of an axis, rising: both ends of its range, and inside it the zeros of the hinges that depend on
@@ -19,6 +20,10 @@ struct StudyEdge {
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 /// Those of each axis; none of measured rows.
 std::vector<std::vector<StudyEdge>> edges_of(const ReadStudy& study);
+
+/// Edges with both sides of each jump in place of it: first the left one, which has `is_jump`. Of a jump at
+/// an end they are the end and its side.
+std::vector<StudyEdge> with_sides(const std::vector<StudyEdge>& edges);
 
 /// The parts of the form at whose zeros it has a kink that parameters move: a x - b of max(a x, b).
 std::vector<Symbolic> moving_kinks(const ReadStudy& study);

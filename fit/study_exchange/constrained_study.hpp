@@ -24,4 +24,7 @@ namespace shadefit {
 StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& constraints,
                                  const std::vector<Held>& starts, const Checkpoint& checkpoint = keep_going);
 
+/// Whether there is a constraint other than held parameters.
+bool has_constraints(const Constraints& constraints);
+
 }  // namespace shadefit

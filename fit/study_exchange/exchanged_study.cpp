@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fit/study/study_fit.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -9,6 +9,7 @@
 #include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/linear_fit.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"

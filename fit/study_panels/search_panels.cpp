@@ -10,7 +10,9 @@ std::vector<PanelOf<double>> panels_between(const std::vector<StudyEdge>& edges)
   for (std::size_t i = 1; i < edges.size(); ++i) {
     const StudyEdge &left = edges[i - 1], &right = edges[i];
     const bool from_left = left.power > 1, from_right = right.power > 1;
-    if (from_left && from_right) {
+    if (left.is_jump) {
+      panels.push_back({left.at, right.at, false, false, true});
+    } else if (from_left && from_right) {
       const double middle = left.at + (right.at - left.at) / 2;
       panels.push_back({left.at, middle, true, false});
       panels.push_back({middle, right.at, false, true});
@@ -47,7 +49,7 @@ T kink_from(TapeProgram<T>& kink, T x, std::span<const T> parameters) {
 
 SearchPanels::SearchPanels(const ReadStudy& study, const std::vector<StudyEdge>& edges,
                            const std::vector<double>& parameters)
-    : panels_(panels_between(edges)) {
+    : panels_(panels_between(with_sides(edges))) {
   for (const Symbolic& kink : moving_kinks(study)) {
     const Tape tape = tape_of(kink, formula_inputs(study), 1 + parameters.size());
     kinks_.push_back({TapeProgram<double>(tape, {}), TapeProgram<long double>(tape, {})});
@@ -81,7 +83,8 @@ PanelOf<double> SearchPanels::at(std::size_t panel, std::span<const double> para
 
 PanelOf<long double> SearchPanels::at(std::size_t panel, std::span<const long double> parameters) {
   const PanelOf<double>& first = panels_[panel];
-  PanelOf<long double> moved{first.left, first.right, first.is_rooted_left, first.is_rooted_right};
+  PanelOf<long double> moved{first.left, first.right, first.is_rooted_left, first.is_rooted_right,
+                             first.is_jump};
   if (lefts_[panel]) moved.left = kink_from(kinks_[*lefts_[panel]].wide, moved.left, parameters);
   if (rights_[panel]) moved.right = kink_from(kinks_[*rights_[panel]].wide, moved.right, parameters);
   return moved;

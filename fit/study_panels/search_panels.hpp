@@ -20,6 +20,7 @@ template <class T>
 struct PanelOf {
   T left, right;
   bool is_rooted_left, is_rooted_right;
+  bool is_jump = false;  ///< its ends are the sides of a jump, and nothing is between them
 
   /// How far s in [0, 1] is from the left end, as a share of the panel.
   T share(T s) const {
@@ -31,11 +32,12 @@ struct PanelOf {
     const T rest = 1 - s;
     if (is_rooted_left) return left + (right - left) * (s * s);
     if (is_rooted_right) return right - (right - left) * (rest * rest);
+    if (is_jump) return s < rest ? left : right;
     return left + (right - left) * s;
   }
   /// The derivative of the variable by s.
   T slope(T s) const {
-    const T length = right - left;
+    const T length = is_jump ? 0 : right - left;
     return is_rooted_left ? 2 * length * s : is_rooted_right ? 2 * length * (1 - s) : length;
   }
   T curvature() const { return T(is_rooted_left ? 2 : is_rooted_right ? -2 : 0) * (right - left); }

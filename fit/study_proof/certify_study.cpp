@@ -147,7 +147,8 @@ CertifiedStudy certify_study(const StudySubject& subject, double width, const Ch
   const ReadStudy study = read_formulas(subject.study);
   std::vector<Interval> parameters;
   for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
-  EnclosedError error(study, parameters, known != nullptr ? *known : KnownIntegrals{});
+  EnclosedError error(without_equal_terms(study, subject.parameters), parameters,
+                      known != nullptr ? *known : KnownIntegrals{});
   LargestStudyError largest(error);
   CertifiedStudy result;
   // One variable never needs more than the search of a built-in family (fit/proof/enclosure.hpp).

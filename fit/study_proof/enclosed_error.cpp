@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -58,6 +59,17 @@ std::vector<double> poles_of(const ReadStudy& study) {
   return places;
 }
 
+/// The terms of a sum by their texts, and how often each is in it, less how often it is subtracted.
+void collect_terms(const Symbolic& e, int times, std::map<std::string, std::pair<Symbolic, int>>& terms) {
+  using Kind = Symbolic::Kind;
+  if (e.kind() == Kind::add || e.kind() == Kind::subtract) {
+    collect_terms(e.part(0), times, terms);
+    collect_terms(e.part(1), e.kind() == Kind::add ? times : -times, terms);
+  } else {
+    terms.emplace(to_text(e), std::pair(e, 0)).first->second.second += times;
+  }
+}
+
 }  // namespace
 
 /// The tapes of the value, of the slopes by the variables and by the integrals, and of the second derivatives
@@ -95,6 +107,27 @@ struct EnclosedError::Programs {
   Jumps jumps, kinks;
   std::optional<ErrorLimits> limits;
 };
+
+ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameters) {
+  const Symbolic with_decimals = evaluate<Symbolic>(study.form, [&](const std::string& name) {
+    const auto found = std::ranges::find(parameters, name, &Constants::value_type::first);
+    const bool is_decimal =
+        found != parameters.end() && found->second.find_first_not_of("0123456789.") == std::string::npos;
+    return is_decimal ? Symbolic::number(found->second) : Symbolic::variable(name);
+  });
+  std::map<std::string, std::pair<Symbolic, int>> terms;
+  collect_terms(with_decimals, 1, terms);
+  collect_terms(study.target, -1, terms);
+  if (std::ranges::none_of(terms, [](const auto& term) { return term.second.second == 0; })) return study;
+  ReadStudy result = study;
+  result.form = result.target = Symbolic::number("0");
+  for (const auto& [text, term] : terms)
+    if (term.second != 0)
+      result.form = result.form + Symbolic::number(std::to_string(term.second)) * term.first;
+  result.weight = error_factor(study);
+  result.error = Error::absolute;
+  return result;
+}
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
                              KnownIntegrals known)

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "fit/proof/constants.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
@@ -24,6 +25,11 @@ struct BoxBound {
   std::size_t axis = 0;       ///< the variable at which to cut the box for a better bound
   std::vector<double> place;  ///< where |error| may be large
 };
+
+/// The study with the same error and without terms that its target shares with its form, where decimals are
+/// in place of these parameters: an interval less itself is twice as wide, not 0. The study itself if there
+/// are none.
+ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameters);
 
 /// The weighted error of a study, relative if the study says so, on boxes and at places. Search and check
 /// share it.

@@ -91,7 +91,7 @@ std::string reason_to_refuse(const StudyCertificate& certificate, const ShareDon
   std::vector<Interval> parameters;
   for (const auto& [name, text] : certificate.subject.parameters)
     parameters.push_back(enclosed_constant(text).value());
-  EnclosedError error(study, parameters);
+  EnclosedError error(without_equal_terms(study, certificate.subject.parameters), parameters);
   if (std::string reason = check_attained(certificate, error); !reason.empty()) return reason;
   return check_boxes(certificate, study, error, done);
 }

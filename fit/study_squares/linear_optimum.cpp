@@ -1,34 +1,56 @@
 #include "fit/study_squares/linear_optimum.hpp"
 
+#include <boost/multiprecision/eigen.hpp>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decompositions.hpp"
+#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 
-std::optional<LinearOptimum> linear_optimum(std::size_t parameter_count, const LinearErrors& errors) {
-  using Vector = LinearOptimum::Vector;
-  using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-  constexpr int rounds = 3;  // each takes the rounding of the one before it
-  // A column is dependent if the others leave less of it than this share: 64 bits have 1e-19, and the sums
-  // over some thousands of nodes lose two digits.
-  constexpr long double least_share = 1e-17L;
+std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const StudyNodes& nodes,
+                                                  const std::vector<double>& start) {
+  // A linear form takes one step to its 50 digits, a curved one as many as still fall.
+  constexpr int most_rounds = 20;
+  constexpr long double falls = 0.8L, dependent = 1e45L;
+  const std::size_t n = start.size();
+  std::vector<std::string> names = study.parameters;
+  std::ranges::copy(node_variables(study), std::back_inserter(names));
+  TapeProgram<Decimal50> program(tape_of(error_formula(study), names, n), {});
+  std::vector<Decimal50> at(start.begin(), start.end());
+  at.resize(names.size());
+  VectorOf<Decimal50> row(n + 1);  // the error and its derivatives
   LinearOptimum found;
-  std::vector<long double> parameters(parameter_count);
-  for (int round = 0; round < rounds; ++round) {
-    Vector here;
-    Matrix columns;
-    errors(parameters, here, columns);
-    found.sizes = columns.colwise().norm().transpose();
-    columns = columns * found.sizes.cwiseInverse().asDiagonal();
-    Eigen::ColPivHouseholderQR<Matrix> factors(columns);
-    factors.setThreshold(least_share);
-    if (!columns.allFinite() || factors.rank() < columns.cols()) return std::nullopt;
-    found.square = here.squaredNorm();
-    found.last_step = -factors.solve(here).cwiseQuotient(found.sizes);
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      parameters[i] += found.last_step[static_cast<Eigen::Index>(i)];
+  for (long double last = HUGE_VALL, moved = 0, round = 0; round < most_rounds; ++round, last = moved) {
+    MatrixOf<Decimal50> sums = MatrixOf<Decimal50>::Zero(row.size(), row.size());
+    for (std::size_t node = 0; node < nodes.weights.size(); ++node) {
+      for (std::size_t i = n; i < at.size(); ++i) at[i] = nodes.coordinates[i - n][node];
+      program.run(at);
+      for (std::size_t i = 0; i <= n; ++i) row[static_cast<Eigen::Index>(i)] = program.output(i);
+      sums += Decimal50(nodes.weights[node]) * row * row.transpose();
+    }
+    const auto count = static_cast<Eigen::Index>(n);
+    const MatrixOf<Decimal50> hessian = sums.bottomRightCorner(count, count), inverse = hessian.inverse();
+    const VectorOf<Decimal50> step = inverse * sums.col(0).tail(count);
+    found = {{},
+             step.cast<long double>(),
+             inverse.diagonal().cast<long double>().cwiseSqrt(),
+             static_cast<long double>(sums(0, 0))};
+    const VectorOf<long double> sizes = hessian.diagonal().cast<long double>().cwiseSqrt();
+    const long double condition = found.spread.cwiseProduct(sizes).maxCoeff();
+    if (!std::isfinite(found.square) || !(condition * condition < dependent)) return std::nullopt;
+    found.parameters.resize(count);
+    for (std::size_t i = 0; i < n; ++i) {
+      at[i] -= step[static_cast<Eigen::Index>(i)];
+      found.parameters[static_cast<Eigen::Index>(i)] = static_cast<long double>(at[i]);
+    }
+    moved = found.last_step.cwiseQuotient(found.spread).cwiseAbs().maxCoeff();
+    if (!(moved < falls * last)) break;
   }
-  found.parameters =
-      Eigen::Map<const Vector>(parameters.data(), static_cast<Eigen::Index>(parameters.size()));
   return found;
 }
 

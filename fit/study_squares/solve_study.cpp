@@ -39,8 +39,8 @@ std::vector<StudyCandidate> settled_basins(Rules& rules, const SearchedStudy& se
 
 /// The chosen candidate at the bottom of its basin, by what its form needs. `flat` says why the place is
 /// flat.
-StudyFit settled_fit(Rules& rules, const SearchedStudy& searched, const StudyCandidate& chosen,
-                     const std::string& flat) {
+StudyFit settled_fit(const ReadStudy& study, Rules& rules, const SearchedStudy& searched,
+                     const StudyCandidate& chosen, const std::string& flat) {
   StudyFit fit;
   if (!flat.empty()) {
     fit.parameters = chosen.parameters;
@@ -55,10 +55,17 @@ StudyFit settled_fit(Rules& rules, const SearchedStudy& searched, const StudyCan
     const bool has_same_panels = !rules.cut_panels(chosen.parameters) && !rules.has_moving_kinks();
     fit = settle(rules, chosen, has_same_panels ? &searched.sampled : nullptr);
   }
-  if (fit.status == Status::converged || !searched.is_linear) return fit;
-  StudyFit linear = settle_linear(rules);
-  if (!linear.parameters.empty()) return linear;
-  if (fit.status == Status::not_converged) fit.why = linear.why;
+  const bool is_converged = fit.status == Status::converged;
+  const bool needs_columns =
+      is_converged ? !rules.has_moving_kinks() && needs_50_digits(study, searched.sampled, fit.parameters)
+                   : searched.is_linear;
+  if (!needs_columns) return fit;
+  const std::vector<double> origin(chosen.parameters.size());
+  StudyFit by_columns = settle_columns(study, rules, searched.is_linear ? origin : fit.parameters);
+  if (!by_columns.parameters.empty()) return by_columns;
+  if (fit.status == Status::degenerate) return fit;
+  fit.status = Status::not_converged;
+  fit.why = by_columns.why;
   return fit;
 }
 
@@ -76,7 +83,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   const auto best = best_of(searched.candidates, sampled.target_norm());
   const StudyCandidate chosen = canonical(study, sampled, best);
   const std::string flat = flat_direction(study, sampled, chosen.parameters);
-  StudyFit fit = settled_fit(rules, searched, chosen, flat);
+  StudyFit fit = settled_fit(study, rules, searched, chosen, flat);
   fit.names = study.parameters;
   fit.starts = searched.starts;
   fit.descents = searched.candidates.size();
@@ -98,7 +105,8 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   } else {
     fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
     // The square of log(x) has an integral, that of 1/x has none. Rules fit a factor of 1/x that is rounding.
-    if (std::isinf(fit.max_abs_error.magnitude)) require_finite_form(study, Norm::least_squares);
+    if (std::isinf(fit.max_abs_error.magnitude) || std::ranges::count(fit.parameters, 0.0) > 0)
+      require_finite_form(study, Norm::least_squares);
   }
   confirm_integrals(study, fit);
   return fit;

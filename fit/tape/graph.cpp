@@ -135,7 +135,9 @@ std::vector<int> Graph::input_nodes() {
 
 bool Graph::is_whole(int i, int n) const {
   const GraphNode& at = nodes_[static_cast<std::size_t>(i)];
-  return at.operation == Operation::constant && constant_at(i).name() == std::to_string(n);
+  if (at.operation != Operation::constant) return false;
+  // The name of a power is its exponent.
+  return constant_at(i).parts().empty() && constant_at(i).name() == std::to_string(n);
 }
 
 bool Graph::is_constant(int i) const {

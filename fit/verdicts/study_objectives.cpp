@@ -17,6 +17,7 @@
 #include "fit/study_panels/features.hpp"
 #include "fit/study_panels/limits.hpp"
 #include "fit/study_squares/rules.hpp"
+#include "fit/study_squares/solve_in_units.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
 #include "fit/verdicts/verdict.hpp"
@@ -312,12 +313,17 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
   }
   ReadStudy read = read_study(objective.study);
   take_limits(read);
-  const auto solve = [&] {
+  const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
     return objective.norm == Norm::minimax
-               ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-               : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+               ? solve_minimax_study(study, objective.constraints, starts, checkpoint)
+               : solve_constrained_study(study, objective.constraints, starts, checkpoint);
   };
-  StudyFit fit = objective.study.cuts ? solve() : seen_fit(read, solve);
+  const auto solve_read = [&] {
+    // Constraints are in the units of the study.
+    return has_constraints(objective.constraints) ? solve(read, objective.study.starts)
+                                                  : solve_in_units(read, objective.study.starts, solve);
+  };
+  StudyFit fit = objective.study.cuts ? solve_read() : seen_fit(read, solve_read);
   fit.is_sampled = !read.rows && !is_enclosed(read);
   const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
   if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {

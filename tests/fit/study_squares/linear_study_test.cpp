@@ -9,6 +9,7 @@
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/study_objectives.hpp"
 #include "tests/refusal.hpp"
 
 /// Forms that are linear in many parameters, whose columns are nearly dependent.
@@ -134,6 +135,28 @@ TEST(LinearStudy, ADensityNeedsNoIntegralWhereTheErrorVanishes) {
   ASSERT_EQ(fit.status, Status::converged) << fit.why;
   EXPECT_NEAR(fit.parameters[0], 4.0 / 15, 1e-15);
   EXPECT_NEAR(fit.parameters[1], 4.0 / 5, 1e-15);
+}
+
+// Long double leaves nothing of x^2 beside 1. Of a steep smooth step b = -3/2 + 2 (pi/100)^2, of a hypotenuse
+// a = 2 sqrt(2) - 5/2.
+TEST(LinearStudy, KeepsItsDigitsInAnyUnits) {
+  const double pi = std::acos(-1.0), slope = -1.5 + 2 * pi * pi * 1e-4;
+  const auto fitted = [](const Study& study) { return fit_study({"", study, Norm::least_squares, {}}); };
+  const std::vector<std::pair<Study, std::vector<double>>> all{
+      {{"1 + x^2", "a + b x^2", {{"x", "0", "1e-12"}}}, {1, 1}},
+      {{"1 + x^2", "a + b x^2", {{"x", "1e6", "1000001"}}}, {1, 1}},
+      {{"1e-200 (2 + (x/1e50)^2)", "a + 2^1 b x^2", {{"x", "0", "1e50"}}}, {2e-200, 5e-301}},
+      {{"max(0.25, x)/(x - 1) + 2 x", "a + b x", {{"x", "1e-12", "1e-9"}}}, {-0.25, 1.75 - 2.5025e-10}},
+      {{"1/(1 + exp((x - 0.5)/0.01))", "a + b x", {{"x", "0", "1"}}}, {0.5 - slope / 2, slope}},
+      {{"hypot(x, y)", "max(x, y) + a min(x, y)", {{"x", "0", "1"}, {"y", "0", "1"}}}, {std::sqrt(8) - 2.5}}};
+  for (const auto& [study, parameters] : all) {
+    const StudyFit fit = fitted(study);
+    ASSERT_EQ(name(fit.status), "converged") << study.target << ": " << fit.why;
+    EXPECT_EQ(fit.digits, 14) << study.target;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      EXPECT_NEAR(fit.parameters[i] / parameters[i], 1, 2e-14) << study.target;
+  }
+  EXPECT_EQ(fitted({"exp(x)", "a + b x", {{"x", "0", "1e-200"}}}).status, Status::not_converged);
 }
 
 }  // namespace
