@@ -15,6 +15,7 @@
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
+#include "fit/scalars/rounded_interval.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/tape/tape_program.hpp"
 
@@ -45,6 +46,14 @@ class HingeCurve {
   double slope(double x) {
     value(x);
     return program_.output(1);
+  }
+  /// Whether the value is 0 or rounding.
+  bool may_be_zero(double x) {
+    values_.front() = x;
+    using Enclosure = RoundedInterval<OutwardArithmetic>;
+    const std::vector<Enclosure> inputs(values_.begin(), values_.end());
+    const Enclosure value = program_.tape()(std::span<const Enclosure>(inputs)).front();
+    return value.lower() <= 0 && 0 <= value.upper();
   }
 
  private:
@@ -94,16 +103,14 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
     if (std::isfinite(values.back())) largest = std::max(largest, std::abs(values.back()));
   }
   const int power = hinge.is_root ? power_at_root : 1;
-  // Zero is far below the values beside it too: 1 + exp(x) is 1 and more for any largest value.
+  // The zero that is nearest by the slope is at the place, up to rounding: 1 + exp(x) is small beside its
+  // largest value, but its zero is far.
+  const double rounding = 1e-13 * (axis.upper - axis.lower);
   const auto is_zero = [&](std::size_t i) {
-    constexpr double far_below = 0.1;
-    const auto is_far_below = [&](double v, double beside) {
-      return beside != 0 && !(v > far_below * std::abs(beside));
-    };
     const double v = std::abs(values[i]);
-    return v <= 1e-14 * largest && (i == 0 || is_far_below(v, values[i - 1])) &&
-           (i + 1 == values.size() || is_far_below(v, values[i + 1]));
+    return v == 0 || (v <= 1e-14 * largest && v <= rounding * std::abs(part.slope(places[i])));
   };
+  if (std::ranges::all_of(values, [](double v) { return v == 0; })) return;
   const auto is_below = [&](double x) { return part.value(x) < 0; };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == places.size();
@@ -116,7 +123,7 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
       // an extremum between, which may touch zero
       const double x =
           bisected(places[i - 1], places[i], [&](double at) { return part.slope(at) * values[i - 1] < 0; });
-      if (std::abs(part.value(x)) <= 1e-12 * largest) edges.push_back({x, power});
+      if (std::abs(part.value(x)) <= 1e-12 * largest && part.may_be_zero(x)) edges.push_back({x, power});
     }
   }
 }

@@ -2,138 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <queue>
 #include <set>
 #include <span>
 #include <string>
 
 #include "fit/quadrature/gauss.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/scalars/rounded_interval.hpp"
-#include "fit/scalars/taylor.hpp"
-#include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/tape/tape_program.hpp"
+#include "fit/study_panels/enclosed_curve.hpp"
 
 namespace shadefit {
 namespace {
-
-using Enclosure = RoundedInterval<OutwardArithmetic>;
-
-/// The highest coefficient. Order 8 needs the fewest boxes for its time: about 15 for sin(20 x), 40 for
-/// acos(x).
-constexpr int highest = 8;
-using Series = Taylor<highest, Enclosure>;
-
-constexpr std::size_t most_boxes = 2048;
-
-/// A value at a place, and how far rounding may have moved it.
-struct Value {
-  double value, rounding;
-};
-
-struct Box {
-  double left, right;
-  double remainder;  ///< how far the formula may be from a polynomial
-  bool operator<(const Box& other) const { return remainder < other.remainder; }
-};
-
-double middle_of(const Box& box) {
-  return box.left + (box.right - box.left) / 2;
-}
-
-/// A formula of one variable.
-class Curve {
- public:
-  Curve(const Symbolic& formula, const std::string& variable)
-      : value_(tape_of(formula, std::span(&variable, 1)), {}), series_(value_.tape(), {}) {}
-
-  Value at(double x) {
-    const Enclosure place(x);
-    value_.run(std::span(&place, 1));
-    const Enclosure& value = value_.output(0);
-    return {value.lower() + (value.upper() - value.lower()) / 2, (value.upper() - value.lower()) / 2};
-  }
-
-  Box box(double left, double right) {
-    const Series place = Series::variable(Enclosure(left, right));
-    series_.run(std::span(&place, 1));
-    const Series& series = series_.output(0);
-    const double half = (right - left) / 2;
-    double least = (series[0].upper() - series[0].lower()) / 2, power = 1;
-    for (int n = 1; n <= highest; ++n) {
-      power *= half;
-      least = std::min(least, std::max(-series[n].lower(), series[n].upper()) * power);
-    }
-    return {left, right, least};
-  }
-
- private:
-  TapeProgram<Enclosure> value_;
-  TapeProgram<Series> series_;
-};
-
-/// The boxes of a curve.
-class Boxes {
- public:
-  Boxes(Curve& curve, const std::vector<StudyEdge>& edges, double share) : curve_(curve), share_(share) {
-    constexpr int samples = 32;  // enough for the size of the values
-    const double lower = edges.front().at, length = edges.back().at - lower;
-    for (int i = 0; i <= samples; ++i) seen(curve.at(lower + length * i / samples).value);
-    for (std::size_t i = 1; i < edges.size(); ++i) add(edges[i - 1].at, edges[i].at);
-    // A box of this share of the range has a jump, a pole or an infinite slope.
-    const double narrowest = std::ldexp(length, -60);
-    while (!open_.empty() && boxes_ < most_boxes) {
-      const Box box = open_.top();
-      open_.pop();
-      const double middle = middle_of(box);
-      const Value value = curve_.at(middle);
-      seen(value.value);
-      const bool is_rounding = box.remainder <= 4 * value.rounding && std::isfinite(value.rounding);
-      if (is_rounding || box.remainder <= tolerance() || box.right - box.left <= narrowest ||
-          !(box.left < middle && middle < box.right)) {
-        leaves_.push_back(box);
-        continue;
-      }
-      add(box.left, middle);
-      add(middle, box.right);
-    }
-    std::ranges::sort(leaves_, {}, &Box::left);
-  }
-
-  const std::vector<Box>& leaves() const { return leaves_; }
-  std::optional<double> unresolved() const {
-    if (open_.empty()) return std::nullopt;
-    return middle_of(open_.top());
-  }
-  double range() const { return most_ - least_; }
-  double tolerance() const { return share_ * range(); }
-
- private:
-  void seen(double value) {
-    if (!std::isfinite(value)) return;
-    least_ = std::min(least_, value);
-    most_ = std::max(most_, value);
-  }
-  void add(double left, double right) {
-    open_.push(curve_.box(left, right));
-    ++boxes_;
-  }
-
-  Curve& curve_;
-  double share_;
-  double least_ = HUGE_VAL, most_ = -HUGE_VAL;
-  std::size_t boxes_ = 0;
-  std::priority_queue<Box> open_;
-  std::vector<Box> leaves_;
-};
 
 /// The polynomial through a curve at the Gauss nodes of a panel, in the root of the distance in which the
 /// curve is smooth.
 class Interpolant {
  public:
-  Interpolant(Curve& curve, StudyEdge left, StudyEdge right)
+  Interpolant(EnclosedCurve& curve, StudyEdge left, StudyEdge right)
       : root_(right.power > 1 ? right.at : left.at),
         length_((right.power > 1 ? left.at : right.at) - root_),
         power_(std::max(left.power, right.power)) {
@@ -166,27 +51,28 @@ class Interpolant {
 };
 
 /// Whether the nodes of a panel see the curve in the middle of each box and at its ends.
-bool is_seen(Curve& curve, StudyEdge left, StudyEdge right, std::span<const Box> boxes, double tolerance) {
+bool is_seen(EnclosedCurve& curve, StudyEdge left, StudyEdge right, std::span<const CurveBox> boxes,
+             double tolerance) {
   const Interpolant interpolant(curve, left, right);
   // So near to a root a panel is not cut: the nodes are dense there, and it has no end.
   const double near = std::ldexp(right.at - left.at, -20);
   const auto is_seen_at = [&](double x) {
     if (left.power > 1 && x - left.at < near) return true;
     if (right.power > 1 && right.at - x < near) return true;
-    const Value value = curve.at(x);
+    const EnclosedCurve::Value value = curve.at(x);
     return !std::isfinite(value.rounding) ||
            std::abs(interpolant(x) - value.value) <= tolerance + 4 * value.rounding;
   };
-  return std::ranges::all_of(boxes, [&](const Box& box) {
-    return is_seen_at(middle_of(box)) && (box.right == right.at || is_seen_at(box.right));
+  return std::ranges::all_of(boxes, [&](const CurveBox& box) {
+    return is_seen_at(box.middle()) && (box.right == right.at || is_seen_at(box.right));
   });
 }
 
 /// How many of the boxes from a pole, or from where the curve has no value, become narrower towards it as
 /// they do at any pole.
-std::size_t graded(std::span<const Box> boxes, double pole) {
+std::size_t graded(std::span<const CurveBox> boxes, double pole) {
   constexpr double least = 1.0 / 16;  // of the distance; at a pole of order 1 boxes have about half of it
-  const auto is_narrow = [&](const Box& box) {
+  const auto is_narrow = [&](const CurveBox& box) {
     const double distance = std::min(std::abs(box.left - pole), std::abs(box.right - pole));
     return box.right - box.left < least * distance;
   };
@@ -195,8 +81,8 @@ std::size_t graded(std::span<const Box> boxes, double pole) {
 
 /// Cuts a panel whose nodes do not see the curve. Each part is as long as it can be, by halves of the boxes
 /// that are left.
-void cut_panel(Curve& curve, StudyEdge left, StudyEdge right, std::span<const Box> boxes, const Boxes& all,
-               std::vector<double>& cuts) {
+void cut_panel(EnclosedCurve& curve, StudyEdge left, StudyEdge right, std::span<const CurveBox> boxes,
+               double range, double share, std::vector<double>& cuts) {
   if (!std::isfinite(curve.at(left.at).value)) {
     boxes = boxes.subspan(graded(boxes, left.at));
     if (boxes.empty()) return;
@@ -204,16 +90,16 @@ void cut_panel(Curve& curve, StudyEdge left, StudyEdge right, std::span<const Bo
     left = {boxes.front().left};
   }
   if (!std::isfinite(curve.at(right.at).value)) {
-    const std::vector<Box> from_right(boxes.rbegin(), boxes.rend());
+    const std::vector<CurveBox> from_right(boxes.rbegin(), boxes.rend());
     boxes = boxes.first(boxes.size() - graded(from_right, right.at));
     if (boxes.empty()) return;
     cuts.push_back(boxes.back().right);
     right = {boxes.back().right};
   }
-  if (is_seen(curve, left, right, boxes, all.tolerance())) return;
+  if (is_seen(curve, left, right, boxes, share * range)) return;
   // The flanks of a feature belong to its panels: what a long panel has of them its rules would not see.
   constexpr double flank = 1e-13;
-  const double tolerance = flank * all.range();
+  const double tolerance = flank * range;
   while (!boxes.empty()) {
     std::size_t count = boxes.size();
     for (; count > 1; count = (count + 1) / 2) {
@@ -246,19 +132,46 @@ void collect_fixed_parts(const Symbolic& formula, const StudyAxis& axis, std::ve
   for (const Symbolic& part : formula.parts()) collect_fixed_parts(part, axis, parts);
 }
 
+void collect_summands(const Symbolic& e, std::vector<Symbolic>& summands) {
+  const bool is_sum = e.kind() == Symbolic::Kind::add || e.kind() == Symbolic::Kind::subtract ||
+                      e.kind() == Symbolic::Kind::negate;
+  if (!is_sum) return summands.push_back(e);
+  for (const Symbolic& part : e.parts()) collect_summands(part, summands);
+}
+
+/// The common parts of the boxes of all summands of a formula whose values have this range.
+CurveBoxes boxes_of_summands(const Symbolic& formula, const StudyAxis& axis,
+                             const std::vector<StudyEdge>& panels, double share, double range) {
+  std::vector<Symbolic> summands;
+  collect_summands(formula, summands);
+  CurveBoxes result{{}, range, {}};
+  std::vector<double> ends{panels.front().at};
+  for (const Symbolic& summand : summands) {
+    EnclosedCurve curve(summand, axis.variable);
+    const CurveBoxes of_summand = boxes_of(curve, panels, share, range);
+    for (const CurveBox& box : of_summand.boxes) ends.push_back(box.right);
+    if (!result.unresolved) result.unresolved = of_summand.unresolved;
+  }
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (std::size_t i = 1; i < ends.size(); ++i) result.boxes.push_back({ends[i - 1], ends[i], 0});
+  return result;
+}
+
 }  // namespace
 
 Features features_of(const Symbolic& formula, const StudyAxis& axis, const std::vector<StudyEdge>& edges,
                      double share) {
-  Curve curve(formula, axis.variable);
+  EnclosedCurve curve(formula, axis.variable);
   const std::vector<StudyEdge> panels = with_middles(edges);
-  const Boxes boxes(curve, panels, share);
-  Features features{{}, boxes.unresolved()};
-  const std::vector<Box>& leaves = boxes.leaves();
+  CurveBoxes found = boxes_of(curve, panels, share);
+  // Where one summand has overflowed, such as the denominator of 1/cosh(1e5 x), the series of all is lost.
+  if (found.unresolved) found = boxes_of_summands(formula, axis, panels, share, found.range);
+  Features features{{}, found.unresolved};
   for (std::size_t i = 1; i < panels.size(); ++i) {
-    const auto first = std::ranges::lower_bound(leaves, panels[i - 1].at, {}, &Box::left),
-               last = std::ranges::lower_bound(leaves, panels[i].at, {}, &Box::left);
-    cut_panel(curve, panels[i - 1], panels[i], {first, last}, boxes, features.cuts);
+    const auto first = std::ranges::lower_bound(found.boxes, panels[i - 1].at, {}, &CurveBox::left),
+               last = std::ranges::lower_bound(found.boxes, panels[i].at, {}, &CurveBox::left);
+    cut_panel(curve, panels[i - 1], panels[i], {first, last}, found.range, share, features.cuts);
   }
   return features;
 }

@@ -13,6 +13,7 @@
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study_nodes.hpp"
+#include "fit/study_panels/features.hpp"
 
 namespace shadefit {
 namespace {
@@ -92,9 +93,23 @@ class Limits {
     return with_value(formula, place);
   }
 
+  /// Whether the operands do no more near a place than a few of their values show.
+  bool are_parts_smooth(const Symbolic& formula, double place, double radius) const {
+    constexpr double share = 1e-9;  // of their ranges: what the quotient of what is left may be
+    StudyAxis near = axis_;
+    near.lower = std::max(axis_.lower, place - radius);
+    near.upper = std::min(axis_.upper, place + radius);
+    return std::ranges::all_of(formula.parts(), [&](const Symbolic& part) {
+      if (part.parts().empty()) return true;
+      const Features features = features_of(part, near, {{near.lower}, {near.upper}}, share);
+      return features.cuts.empty() && !features.unresolved;
+    });
+  }
+
   /// The polynomial in x - place that agrees with a formula to 20 digits within a radius; empty if that of so
   /// many terms does not. It meets the formula at Chebyshev's places.
   std::optional<Symbolic> polynomial(const Symbolic& formula, double place, double radius) const {
+    if (!are_parts_smooth(formula, place, radius)) return std::nullopt;
     constexpr std::size_t terms = 18;
     const Decimal50 lower = std::max(axis_.lower, place - radius) - Decimal50(place),
                     upper = std::min(axis_.upper, place + radius) - Decimal50(place);
