@@ -14,9 +14,10 @@ namespace shadefit {
 
 std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const StudyNodes& nodes,
                                                   const std::vector<double>& start) {
-  // A linear form takes one step to its 50 digits, a curved one as many as still fall.
+  // A linear form takes one step to its 50 digits, a curved one as many as still fall. A step of this share
+  // of the first one moves no digit of a double.
   constexpr int most_rounds = 20;
-  constexpr long double falls = 0.8L, dependent = 1e45L;
+  constexpr long double falls = 0.8L, enough = 1e-24L, dependent = 1e45L;
   const std::size_t n = start.size();
   std::vector<std::string> names = study.parameters;
   std::ranges::copy(node_variables(study), std::back_inserter(names));
@@ -25,6 +26,7 @@ std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const 
   at.resize(names.size());
   VectorOf<Decimal50> row(n + 1);  // the error and its derivatives
   LinearOptimum found;
+  long double first = 0;
   for (long double last = HUGE_VALL, moved = 0, round = 0; round < most_rounds; ++round, last = moved) {
     MatrixOf<Decimal50> sums = MatrixOf<Decimal50>::Zero(row.size(), row.size());
     for (std::size_t node = 0; node < nodes.weights.size(); ++node) {
@@ -49,7 +51,8 @@ std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const 
       found.parameters[static_cast<Eigen::Index>(i)] = static_cast<long double>(at[i]);
     }
     moved = found.last_step.cwiseQuotient(found.spread).cwiseAbs().maxCoeff();
-    if (!(moved < falls * last)) break;
+    if (round == 0) first = moved;
+    if (!(moved < falls * last) || moved <= enough * first) break;
   }
   return found;
 }

@@ -16,12 +16,16 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
 /// with the next rule.
 StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate);
 
-/// The optimum by orthogonal columns, with errors in 50 digits, by one rule after the other. `start` is near
-/// it, or the form is linear in all parameters.
-StudyFit settle_columns(const ReadStudy& study, const Rules& rules, const std::vector<double>& start);
+/// The optimum of a form that is linear in all parameters, in long double, by one rule after the other.
+StudyFit settle_linear(const Rules& rules);
+
+/// The optimum in 50 digits, by one rule after the other. `start` is near it, or the form is linear in all
+/// parameters.
+StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const std::vector<double>& start);
 
 /// Whether a parameter may move in its last digits by the roundings of errors in long double, which are
-/// shares of the target, and the nodes are few enough for errors in 50 digits.
+/// shares of the target, and the nodes are few enough for errors in 50 digits. Without parameters, which did
+/// not settle, it may.
 bool needs_50_digits(const ReadStudy& study, const SampledStudy<double>& sampled,
                      const std::vector<double>& parameters);
 

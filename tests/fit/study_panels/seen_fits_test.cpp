@@ -80,8 +80,8 @@ int random_cases() {
 using Target = std::function<Decimal50(const Decimal50&)>;
 
 /// Whether polynomial constants are the best ones for a target, told by its values at many places alone.
-std::string fault_of(const StudyFit& fit, const Target& target, Norm norm,
-                     const std::vector<double>& places) {
+std::string what_is_wrong(const StudyFit& fit, const Target& target, Norm norm,
+                          const std::vector<double>& places) {
   const auto error_at = [&](double x) {
     Decimal50 sum = -target(x), power = 1;
     for (const double parameter : fit.parameters) {
@@ -217,7 +217,7 @@ TEST(SeenFit, IsRightForRandomTargets) {
                                   fmt::format("{}", asked.places.back()), norm);
       if (fit.status != Status::converged) continue;
       ++answered;
-      EXPECT_EQ(fault_of(fit, asked.target, norm, asked.places), "") << asked.text << " " << name(norm);
+      EXPECT_EQ(what_is_wrong(fit, asked.target, norm, asked.places), "") << asked.text << " " << name(norm);
     }
     EXPECT_GE(answered, cases * 97 / 100);
   }

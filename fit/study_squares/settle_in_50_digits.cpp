@@ -28,14 +28,17 @@ long double rounding_of_nodes(const ReadStudy& study) {
 bool needs_50_digits(const ReadStudy& study, const SampledStudy<double>& sampled,
                      const std::vector<double>& parameters) {
   constexpr std::size_t most_nodes = 3000;  // more take a second
-  if (sampled.size() > most_nodes || integral_depth(error_formula(study)) > 0) return false;
+  // Fits near given starts are compared with printed digits, which are fewer.
+  if (study.has_only_starts || sampled.size() > most_nodes || integral_depth(error_formula(study)) > 0)
+    return false;
+  if (parameters.empty()) return true;
   const VectorOf<double> spread =
       ScaledHessian(sampled.derivatives(parameters).hessian).inverse().diagonal().cwiseAbs().cwiseSqrt();
   const VectorOf<double> moved = static_cast<double>(16 * rounding) * sampled.target_norm() * spread;
   return !(moved.array() <= settled * vector_of(parameters).array().abs()).all();
 }
 
-StudyFit settle_columns(const ReadStudy& study, const Rules& rules, const std::vector<double>& start) {
+StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const std::vector<double>& start) {
   constexpr std::size_t most_nodes = 30000;
   constexpr long double of_50_digits = 1e-48L;
   StudyFit fit;
