@@ -148,6 +148,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   fit.level = best->level;
   fit.alternation = best->alternation;
   std::reverse(fit.alternation.begin(), fit.alternation.end());
+  if (fit.status != Status::converged) require_finite_form(study, Norm::minimax);
   // The exchange counts small slopes as rounding, whatever the units of the study.
   const bool is_answer =
       fit.status == Status::converged &&
@@ -161,8 +162,6 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
     linear.is_global = true;
     fit = std::move(linear);
   }
-  if (fit.status == Status::infeasible || fit.status == Status::not_finite)
-    require_finite_form(study, Norm::minimax);
   if (fit.status == Status::infeasible)
     throw UserError("the form cannot satisfy the constraints: " + fit.why);
   if (fit.status != Status::converged) return fit;
