@@ -148,7 +148,9 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   fit.level = best->level;
   fit.alternation = best->alternation;
   std::reverse(fit.alternation.begin(), fit.alternation.end());
-  if (fit.status != Status::converged) require_finite_form(study, Norm::minimax);
+  if (fit.status == Status::infeasible || fit.status == Status::not_finite ||
+      (fit.status != Status::converged && searched.is_linear))
+    require_finite_form(study, Norm::minimax);
   // The exchange counts small slopes as rounding, whatever the units of the study.
   const bool is_answer =
       fit.status == Status::converged &&
