@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -17,6 +18,11 @@
 
 namespace shadefit {
 namespace {
+
+/// To 30 digits: long double has 20. A number that a double would not hold is 0.
+Symbolic number_of(const Decimal50& value) {
+  return Symbolic::number(abs(value) < std::numeric_limits<double>::min() ? "0" : value.str(30));
+}
 
 /// The limits of formulas of one variable.
 class Limits {
@@ -143,11 +149,9 @@ class Limits {
       const Decimal50 at = at_share(share);
       if (!(abs(sum(at) - value_at(at)) <= agree)) return std::nullopt;
     }
-    constexpr int digits = 30;
     const Symbolic distance = Symbolic::variable(axis_.variable) - Symbolic::number(to_text(place));
-    Symbolic result = Symbolic::number(powers.back().str(digits));
-    for (std::size_t k = powers.size() - 1; k-- > 0;)
-      result = result * distance + Symbolic::number(powers[k].str(digits));
+    Symbolic result = number_of(powers.back());
+    for (std::size_t k = powers.size() - 1; k-- > 0;) result = result * distance + number_of(powers[k]);
     return result;
   }
 
@@ -161,7 +165,7 @@ class Limits {
     const Decimal50 limit = at("1e-40");
     if (!isfinite(limit) || abs(limit - at("1e-36")) > 1e-16 * abs(at("0.3"))) return std::nullopt;
     const Symbolic distance = abs(Symbolic::variable(axis_.variable) - Symbolic::number(to_text(place)));
-    return select(less(Symbolic::number("0"), distance), formula, Symbolic::number(limit.str(30)));
+    return select(less(Symbolic::number("0"), distance), formula, number_of(limit));
   }
 
   const StudyAxis& axis_;
