@@ -14,6 +14,7 @@
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study_nodes.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/study_panels/features.hpp"
 
 namespace shadefit {
@@ -75,6 +76,11 @@ class Limits {
   /// A formula with its limit at a place; empty where it has none.
   std::optional<Symbolic> with_limit(const Symbolic& formula, double place) const {
     const double length = axis_.upper - axis_.lower;
+    // 0/0 and 0 log(0) are no number; what is infinite has no limit. exp(x) - 1 is 0 beside 0 too.
+    const auto is_number = [&](double x) {
+      return !std::isnan(evaluate<double>(formula, [&](const std::string&) { return x; }));
+    };
+    if (is_number(place) && (std::abs(place) > 1e-15 * length || is_number(0))) return std::nullopt;
     std::vector<Decimal50> near;
     Decimal50 size = 0;
     for (const int side : {-1, 1}) {
@@ -174,7 +180,10 @@ class Limits {
 }  // namespace
 
 void take_limits(ReadStudy& study) {
+  // The limits of longer formulas would take longer than their fits.
+  constexpr std::size_t most_hinges = 40;
   if (study.rows || study.axes.size() > 1) return;
+  if (hinges_of(error_formula(study)).size() > most_hinges) return;
   const Limits limits(study.axes.front());
   for (Symbolic* formula : {&study.target, &study.form, &study.weight})
     *formula = limits.completed(*formula).formula;
