@@ -76,11 +76,18 @@ class Limits {
   /// A formula with its limit at a place; empty where it has none.
   std::optional<Symbolic> with_limit(const Symbolic& formula, double place) const {
     const double length = axis_.upper - axis_.lower;
-    // 0/0 and 0 log(0) are no number; what is infinite has no limit. exp(x) - 1 is 0 beside 0 too.
+    // 0/0 and 0 log(0) are no number; what is infinite has no limit. The place may be some roundings off.
     const auto is_number = [&](double x) {
       return !std::isnan(evaluate<double>(formula, [&](const std::string&) { return x; }));
     };
-    if (is_number(place) && (std::abs(place) > 1e-15 * length || is_number(0))) return std::nullopt;
+    double from = place, to = place;
+    bool is_open = !is_number(place) || (std::abs(place) < 1e-15 * length && !is_number(0));
+    for (int ulps = 1; ulps <= 3 && !is_open; ++ulps) {
+      from = std::nextafter(from, axis_.lower);
+      to = std::nextafter(to, axis_.upper);
+      is_open = !is_number(from) || !is_number(to);
+    }
+    if (!is_open) return std::nullopt;
     std::vector<Decimal50> near;
     Decimal50 size = 0;
     for (const int side : {-1, 1}) {
