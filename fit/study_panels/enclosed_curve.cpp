@@ -9,7 +9,8 @@
 namespace shadefit {
 namespace {
 
-constexpr std::size_t most_curve_boxes = 2048;
+/// A smooth formula needs some tens; the curve of ACES, many functions inside one another, 16 000.
+constexpr std::size_t most_curve_boxes = 32768;
 
 bool is_explained_more(const CurveBox& a, const CurveBox& b) {
   return a.remainder < b.remainder;

@@ -47,7 +47,7 @@ class EnclosedCurve {
 struct CurveBoxes {
   std::vector<CurveBox> boxes;       ///< rising; all those that are explained
   double range;                      ///< of the values that were seen, or the given one if that is larger
-  std::optional<double> unresolved;  ///< a place where more than 2048 boxes would be needed
+  std::optional<double> unresolved;  ///< a place where more than 32768 boxes would be needed
 };
 
 /// Divides the range between edges until what is unexplained on a box is below a share of the range of the
