@@ -1,3 +1,4 @@
+#include <Eigen/QR>
 #include <cmath>
 #include <cstddef>
 #include <optional>
