@@ -148,16 +148,19 @@ std::string values_of(const Constants& constants) {
 
 void append_row(Table& table, const FormEntry& form, const Constants& constants, std::string_view arithmetic,
                 int degree, const Errors& errors) {
-  // Sampled errors are the same on every machine to all digits; these are enough for a reader.
-  constexpr int digits = 6, few = 3;
+  // The truths are long doubles, 1/2048 of an ulp of double apart, and processors differ in their last digit.
+  // So the errors of doubles have three digits.
+  constexpr int few = 3, place_digits = 6;
+  const int digits = arithmetic == "double" ? few : 6;
   const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
   std::string exp2;
   if (form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
-  table.rows.push_back({std::string(form.target), std::string(form.id), constants.id, values_of(constants),
-                        exp2, std::string(arithmetic), number(errors.absolute, digits),
-                        form.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, digits),
-                        number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
-                        number(errors.codes, few)});
+  table.rows.push_back(
+      {std::string(form.target), std::string(form.id), constants.id, values_of(constants), exp2,
+       std::string(arithmetic), number(errors.absolute, digits),
+       form.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, place_digits),
+       number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
+       number(errors.codes, few)});
 }
 
 void append(Table& table, const Target& target, const Catalogue& all, const Checkpoint& checkpoint) {
