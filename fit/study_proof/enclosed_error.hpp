@@ -27,8 +27,8 @@ struct BoxBound {
 };
 
 /// The study with the same error and without terms that its target shares with its form, where decimals are
-/// in place of these parameters: an interval less itself is twice as wide, not 0. The study itself if there
-/// are none.
+/// in place of these parameters: an interval less itself is twice as wide, not 0. It is the study itself if
+/// they share no term.
 ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameters);
 
 /// The weighted error of a study, relative if the study says so, on boxes and at places. Search and check

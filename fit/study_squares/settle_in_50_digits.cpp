@@ -59,7 +59,7 @@ StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const s
     if (std::abs(coarse->square * shrinking - fine->square) > 1e-6L * fine->square + least) continue;
     const auto step = (coarse->parameters - fine->parameters).cwiseAbs() + fine->last_step.cwiseAbs();
     const long double error = rounding_of_nodes(study) * std::sqrt(fine->square) + of_50_digits * norm;
-    // A parameter that is no more than the roundings is 0.
+    // The roundings may move a parameter by more than its value. Then it counts as 0.
     long double size = 0;
     std::vector<double> parameters(start.size());
     for (std::size_t i = 0; i < start.size(); ++i) {
