@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/least_squares/status.hpp"
@@ -50,5 +51,12 @@ struct StudyFit {
   std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
   bool is_sampled = false;  ///< whether nothing but samples tells what happens between the nodes
 };
+
+/// Ends a fit without an answer. False.
+inline bool fail(StudyFit& fit, Status status, std::string why) {
+  fit.status = status;
+  fit.why = std::move(why);
+  return false;
+}
 
 }  // namespace shadefit

@@ -51,7 +51,7 @@ class ConstrainedFit {
     const std::string why = here_.hold_exact();
     here_.find_tangents();
     if (!why.empty()) {
-      fail(Status::infeasible, why);
+      fail(fit_, Status::infeasible, why);
     } else if (descend(checkpoint)) {
       settle();
     }
@@ -71,12 +71,6 @@ class ConstrainedFit {
   static constexpr double last_step = 1e-6;
   /// A multiplier below this share of the largest one is the rounding of 0.
   static constexpr double no_multiplier = 1e-12;
-
-  bool fail(Status status, std::string why) {
-    fit_.status = status;
-    fit_.why = std::move(why);
-    return false;
-  }
 
   /// The rounding of a contact's value in double. The size of the target counts too: a form of 0 may be a
   /// difference of large terms.
@@ -135,14 +129,15 @@ class ConstrainedFit {
     for (int i = 0; i < most_steps; ++i) {
       checkpoint();
       here_.look();
-      if (here_.is_impossible()) return fail(Status::infeasible, "no parameters " + here_.most_violated());
+      if (here_.is_impossible())
+        return fail(fit_, Status::infeasible, "no parameters " + here_.most_violated());
       const std::vector<double> at = sized(here_.parameters, problem_.size);
       const double merit =
           std::isfinite(here_.level()) ? sampled_.square(at) / 2 + penalty * here_.violation() : HUGE_VAL;
       // Short steps along a curved constraint are right even if they raise the sum a little.
       if (!(merit < best) && size > 1e-3) {
         scale /= 2;
-        if (scale < 1e-6) return fail(Status::not_converged, "no part of a step improves the fit");
+        if (scale < 1e-6) return fail(fit_, Status::not_converged, "no part of a step improves the fit");
         go_to(base, scale * step);
         continue;
       }
@@ -153,7 +148,7 @@ class ConstrainedFit {
       for (const Contact& c : contacts) conditions.push_back(condition(c));
       const auto answer = least_step(hessian, sums.gradient, conditions);
       if (!answer || !answer->step.allFinite())
-        return fail(problem_.is_linear ? Status::infeasible : Status::not_converged,
+        return fail(fit_, problem_.is_linear ? Status::infeasible : Status::not_converged,
                     (problem_.is_linear ? "no parameters " : "no step leads to parameters that ") +
                         here_.most_violated());
       active_.clear();
@@ -169,9 +164,9 @@ class ConstrainedFit {
       go_to(base, step);
       if (size < last_step) return true;
     }
-    return fail(Status::not_converged, here_.violation() > 0
-                                           ? "no step leads to parameters that " + here_.most_violated()
-                                           : "the steps did not end in " + std::to_string(most_steps));
+    return fail(fit_, Status::not_converged,
+                here_.violation() > 0 ? "no step leads to parameters that " + here_.most_violated()
+                                      : "the steps did not end in " + std::to_string(most_steps));
   }
 
   void go_to(const MinimaxParameters& base, const Vector& step) {
@@ -262,7 +257,7 @@ class ConstrainedFit {
       return a.contact.touch != Touch::exact && std::abs(a.multiplier) <= no_multiplier * largest;
     });
     if (active_.size() > problem_.size) {
-      fail(Status::degenerate, "more constraints touch than there are parameters");
+      fail(fit_, Status::degenerate, "more constraints touch than there are parameters");
       return;
     }
     const auto wide = [&](std::size_t rule) {
@@ -289,7 +284,7 @@ class ConstrainedFit {
     clear_rounding(here, sampled_.derivatives(here).hessian, sampled_.target_norm());
     fit_.digits = correct_digits(size);
     if (fit_.digits < least_study_digits) {
-      fail(Status::not_converged, "Newton's method does not settle in long double");
+      fail(fit_, Status::not_converged, "Newton's method does not settle in long double");
       return;
     }
     fit_.rms_error = static_cast<double>(std::sqrt(square));
@@ -305,13 +300,13 @@ class ConstrainedFit {
       if (here_.share_of_level(c) > 0) continue;
       const double excess = -here_.condition(c).bound;
       if ((c.touch == Touch::exact ? std::abs(excess) : excess) > tolerance * rounding(c)) {
-        fail(Status::not_converged, "no steps lead to parameters that " + here_.most_violated());
+        fail(fit_, Status::not_converged, "no steps lead to parameters that " + here_.most_violated());
         return;
       }
     }
     for (const Active& a : active_) {
       if (a.contact.touch != Touch::exact && a.multiplier < 0) {
-        fail(Status::not_converged, "a constraint that touches has a negative multiplier");
+        fail(fit_, Status::not_converged, "a constraint that touches has a negative multiplier");
         return;
       }
       fit_.alternation.push_back({a.contact.touch, a.contact.is_tangent, problem_.cosine_at(a.contact.place),
@@ -358,8 +353,8 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
     if (is_better) best = std::move(fit);
   }
   if (searched.is_linear && (is_dependent || best->status != Status::converged))
-    best = solve_linear_fit(study, error, Norm::least_squares, constraints, {edges}, searched.sampled, lowest,
-                            checkpoint);
+    best = solve_linear_fit(
+        {study, error, Norm::least_squares, constraints, {edges}, searched.sampled, lowest, checkpoint});
   best->names = study.parameters;
   best->why = with_variable(best->why, study.axes.front().variable);
   best->starts = searched.starts;

@@ -6,10 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "fit/study/largest_error.hpp"
-#include "fit/study/search.hpp"
-#include "fit/study/study_problem.hpp"
-#include "fit/study_exchange/top_polish.hpp"
 #include "fit/study_rows/level_polish.hpp"
 #include "fit/study_rows/row_descent.hpp"
 
@@ -18,16 +14,16 @@ namespace {
 
 /// The error of a study, and how its tops are found.
 struct CurvedSurface {
-  ReadStudy weighted;  ///< the form is the error
+  const ReadStudy& study;
   StudyError error;
-  std::vector<std::vector<StudyEdge>> edges;
-  TopPolish polish;
+  ErrorTops top;
 
-  CurvedSurface(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& all_edges)
-      : weighted(weighted_error_of(study)), error(study), edges(all_edges), polish(weighted, edges) {}
+  CurvedSurface(const ReadStudy& of, const Edges& edges) : study(of), error(of), top(of, edges) {}
 
-  Places tops(const std::vector<double>& parameters) const {
-    return polished_tops(weighted, edges, polish, parameters);
+  Places tops(const std::vector<double>& parameters) {
+    Places places;
+    for (const StudyExtremum& found : top.all(parameters)) places.push_back(found.at);
+    return places;
   }
 };
 
@@ -41,11 +37,11 @@ struct HeldTops {
 /// central differences, which are exact enough for Newton's method.
 class MovingTops {
  public:
-  MovingTops(const CurvedSurface& surface, Places tops) : surface_(&surface), tops_(std::move(tops)) {}
+  MovingTops(CurvedSurface& surface, Places tops) : surface_(&surface), tops_(std::move(tops)) {}
 
   const Places& at(std::span<const double> parameters) {
     const std::vector<double> there(parameters.begin(), parameters.end());
-    for (auto& place : tops_) place = surface_->polish(place, there);
+    for (auto& place : tops_) place = surface_->top.near(place, there);
     return tops_;
   }
 
@@ -79,11 +75,11 @@ class MovingTops {
   }
 
  private:
-  const CurvedSurface* surface_;
+  CurvedSurface* surface_;
   Places tops_;
 };
 
-LevelPoints points_of_tops(const CurvedSurface& surface, const Places& tops) {
+LevelPoints points_of_tops(CurvedSurface& surface, const Places& tops) {
   const auto moving = std::make_shared<MovingTops>(surface, tops);
   return {[moving](std::span<const double> parameters, VectorOf<double>& errors, MatrixOf<double>& slopes) {
             moving->errors(parameters, errors, slopes);
@@ -101,19 +97,13 @@ double largest_at(const CurvedSurface& surface, const Places& places, const std:
 }
 
 /// The tops on which the places at a level lie: several places may stand for one that moves.
-HeldTops held_by(const CurvedSurface& surface, const PolishedLevel& level, const Places& places) {
+HeldTops held_by(CurvedSurface& surface, const PolishedLevel& level, const Places& places) {
   constexpr double same_top = 0.05;  // of the range
-  const auto& axes = surface.weighted.axes;
-  const auto are_near = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < axes.size(); ++i)
-      if (std::abs(a[i] - b[i]) > same_top * (axes[i].upper - axes[i].lower)) return false;
-    return true;
-  };
   HeldTops held;
   for (const LevelRow& row : level.rows) {
-    const std::vector<double> top = surface.polish(places[row.row], level.parameters);
+    const std::vector<double> top = surface.top.near(places[row.row], level.parameters);
     const auto same = std::find_if(held.rows.begin(), held.rows.end(), [&](const LevelRow& other) {
-      return other.sign == row.sign && are_near(held.places[other.row], top);
+      return other.sign == row.sign && are_near(held.places[other.row], top, surface.study.axes, same_top);
     });
     if (same != held.rows.end()) {
       same->multiplier += row.multiplier;
@@ -126,7 +116,7 @@ HeldTops held_by(const CurvedSurface& surface, const PolishedLevel& level, const
 }
 
 /// Newton's method on the tops of a level of places. Empty if a top is above the new level.
-std::optional<StudyFit> settled_on_tops(const CurvedSurface& surface, const PolishedLevel& level,
+std::optional<StudyFit> settled_on_tops(CurvedSurface& surface, const PolishedLevel& level,
                                         const Places& places, const MatrixOf<double>& steps) {
   constexpr double same_level = 1e-8;  // the place of a top has half of the digits
   const HeldTops held = held_by(surface, level, places);
@@ -142,19 +132,18 @@ std::optional<StudyFit> settled_on_tops(const CurvedSurface& surface, const Poli
   fit.digits = found->digits;
   fit.level = found->level;
   for (const LevelRow& row : found->rows)
-    fit.touching.push_back({surface.polish(held.places[row.row], fit.parameters), row.sign * *fit.level});
+    fit.touching.push_back({surface.top.near(held.places[row.row], fit.parameters), row.sign * *fit.level});
   std::ranges::sort(fit.touching, {}, &StudyContact::at);
   return fit;
 }
 
 }  // namespace
 
-std::optional<StudyFit> curved_level(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
-                                     Places places, const std::vector<double>& start,
-                                     const Checkpoint& checkpoint) {
+std::optional<StudyFit> curved_level(const ReadStudy& study, const Edges& edges, Places places,
+                                     const std::vector<double>& start, const Checkpoint& checkpoint) {
   constexpr int most_rounds = 20;
   constexpr double near = 0.01;  // Newton's method starts when no top is higher by this share
-  const CurvedSurface surface(study, edges);
+  CurvedSurface surface(study, edges);
   std::vector<double> parameters = start;
   // The tops of the last two results: those of more lie so close together that they differ by rounding.
   const std::size_t first = places.size();

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "fit/study/study_fit.hpp"
-#include "fit/study/study_nodes.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
 #include "fit/support/checkpoint.hpp"
 
@@ -17,8 +16,7 @@ namespace shadefit {
 /// and the tops of the result are added, until they are hardly higher than the level. Then Newton's method
 /// follows the tops, which move with the parameters. `start` is near the answer; `places` determine the
 /// parameters. Empty if this does not settle.
-std::optional<StudyFit> curved_level(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
-                                     Places places, const std::vector<double>& start,
-                                     const Checkpoint& checkpoint);
+std::optional<StudyFit> curved_level(const ReadStudy& study, const Edges& edges, Places places,
+                                     const std::vector<double>& start, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

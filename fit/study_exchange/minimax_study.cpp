@@ -152,13 +152,14 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
       (fit.status != Status::converged && searched.is_linear))
     require_finite_form(study, Norm::minimax);
   // The exchange counts small slopes as rounding, whatever the units of the study.
+  const Edges all_edges{edges};
+  const LinearProblem linear_problem{
+      study, error, Norm::minimax, constraints, all_edges, searched.sampled, first, checkpoint};
   const bool is_answer =
-      fit.status == Status::converged &&
-      (!searched.is_linear || !has_constraints(constraints) ||
-       keeps_constraints(study, error, constraints, {edges}, searched.sampled, first, fit.parameters));
+      fit.status == Status::converged && (!searched.is_linear || !has_constraints(constraints) ||
+                                          keeps_constraints(linear_problem, fit.parameters));
   if (searched.is_linear && !is_answer) {
-    StudyFit linear = solve_linear_fit(study, error, Norm::minimax, constraints, {edges}, searched.sampled,
-                                       first, checkpoint);
+    StudyFit linear = solve_linear_fit(linear_problem);
     linear.names = fit.names;
     linear.starts = fit.starts;
     linear.is_global = true;

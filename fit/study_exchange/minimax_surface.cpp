@@ -15,7 +15,6 @@
 #include "fit/study_exchange/determined.hpp"
 #include "fit/study_exchange/linear_fit.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
-#include "fit/study_exchange/top_polish.hpp"
 #include "fit/study_squares/confirm_integrals.hpp"
 #include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
@@ -31,12 +30,11 @@ class SurfaceExchange {
       : error_(error),
         study_(study),
         sampled_(sampled),
-        weighted_(weighted_error_of(study)),
         parameters_(start),
         size_(parameters_.size()),
         edges_(edges_of(study)),
-        polish_(weighted_, edges_),
-        places_(weighted_) {}
+        tops_(study, edges_),
+        places_(study) {}
 
   StudyFit solve(const Checkpoint& checkpoint) {
     level_ = look(parameters_);
@@ -78,10 +76,10 @@ class SurfaceExchange {
     if (sampled_.has_pole(parameters)) return HUGE_VAL;
     double largest = 0;
     places_.look_again();
-    for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3)) {
+    for (const StudyExtremum& top : tops_.all(parameters)) {
       if (!std::isfinite(top.magnitude)) return HUGE_VAL;
       largest = std::max(largest, top.magnitude);
-      places_.add(polish_(top.at, parameters));
+      places_.add(top.at);
     }
     return largest;
   }
@@ -97,9 +95,8 @@ class SurfaceExchange {
 
   StudyFit failed(Status status, std::string why) const {
     StudyFit fit;
-    fit.status = status;
-    fit.why = std::move(why);
     fit.level = level_;
+    fail(fit, status, std::move(why));
     return fit;
   }
 
@@ -110,9 +107,9 @@ class SurfaceExchange {
     constexpr double held = 1e-8;
     const double largest = look(fit.parameters);
     if (largest <= *fit.level * (1 + held) + support_.rounding) return fit;
-    fit.status = Status::not_converged;
-    fit.why =
-        "the error exceeds its level, " + decimal(*fit.level, 6) + ", by " + decimal(largest - *fit.level, 2);
+    fail(fit, Status::not_converged,
+         "the error exceeds its level, " + decimal(*fit.level, 6) + ", by " +
+             decimal(largest - *fit.level, 2));
     return fit;
   }
 
@@ -163,8 +160,8 @@ class SurfaceExchange {
     fit.status = fit.digits < least_study_digits ? Status::not_converged : Status::converged;
     fit.why = fit.status == Status::converged ? "" : "Newton's method does not settle in long double";
     if (!is_determined(fit)) {
-      fit.status = Status::degenerate;
-      fit.why = "the level, " + decimal(*fit.level, 10) + ", is the least, but other parameters have it too";
+      fail(fit, Status::degenerate,
+           "the level, " + decimal(*fit.level, 10) + ", is the least, but other parameters have it too");
     }
     return fit;
   }
@@ -192,11 +189,10 @@ class SurfaceExchange {
   const StudyError& error_;
   const ReadStudy& study_;
   const SampledStudy<double>& sampled_;  ///< detects poles
-  ReadStudy weighted_;
   std::vector<double> parameters_;
   std::size_t size_;
-  std::vector<std::vector<StudyEdge>> edges_;
-  TopPolish polish_;
+  Edges edges_;
+  ErrorTops tops_;
   TopPlaces places_;
   LevelStep support_ = {};
   double level_ = 0;
@@ -222,8 +218,14 @@ StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& 
     return beyond_infinity(start, end, [&](const std::vector<double>& at) { return exchange.look(at); });
   };
   if (searched.is_linear)
-    lowest = solve_linear_fit(study, error, Norm::minimax, {}, edges_of(study), searched.sampled,
-                              searched.candidates.front().parameters, checkpoint);
+    lowest = solve_linear_fit({study,
+                               error,
+                               Norm::minimax,
+                               {},
+                               edges_of(study),
+                               searched.sampled,
+                               searched.candidates.front().parameters,
+                               checkpoint});
   for (const StudyCandidate& candidate : lowest_basins(searched)) {
     if (searched.is_linear) break;
     if (const auto other_side = exchange_from(candidate.parameters)) exchange_from(*other_side);

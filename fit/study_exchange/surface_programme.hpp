@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "fit/minimax/linear_programme.hpp"
-#include "fit/study/study_nodes.hpp"
-#include "fit/study/study_problem.hpp"
+#include "fit/study_exchange/curve_tops.hpp"
 
 /// The lowest level of an error at a set of places, for a small step of the parameters.
 namespace shadefit {
 
-/// Each has a coordinate for each variable of the study.
-using Places = std::vector<std::vector<double>>;
+using Places = std::vector<Place>;
 
 /// The places as nodes of equal weights.
 StudyNodes nodes_at(const Places& places);

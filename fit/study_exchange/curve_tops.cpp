@@ -1,39 +1,30 @@
-#include "fit/study_exchange/linear_curves.hpp"
+#include "fit/study_exchange/curve_tops.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "fit/support/decimal.hpp"
+#include "fit/study/largest_error.hpp"
 #include "fit/support/decompositions.hpp"
 #include "fit/tape/graph.hpp"
 
 namespace shadefit {
 namespace {
 
-int curve_node(Graph& graph, const Symbolic& formula, bool is_slope) {
-  const int node = graph.add(formula);
-  return is_slope ? graph.derivative(node, 0) : node;
-}
-
-Tape tape_of_heights(const ReadStudy& study, const Symbolic& formula, bool is_slope) {
-  Graph graph(formula_inputs(study));
-  const std::vector<int> outputs{curve_node(graph, formula, is_slope)};
-  return {graph, outputs};
-}
-
-Tape tape_of_parts(const ReadStudy& study, const Symbolic& formula, bool is_slope) {
+Tape tape_of_parts(const ReadStudy& study, const Symbolic& formula, bool is_slope, bool has_derivatives) {
   const std::vector<std::string> inputs = formula_inputs(study);
   const std::size_t variables = study.axes.size();
   Graph graph(inputs);
-  std::vector<int> parts{curve_node(graph, formula, is_slope)}, outputs;
+  const int node = graph.add(formula);
+  std::vector<int> parts{is_slope ? graph.derivative(node, 0) : node}, outputs;
   for (std::size_t i = 0; i < variables; ++i) parts.push_back(graph.derivative(parts.front(), i));
   for (std::size_t i = 0; i < variables; ++i) {
     for (std::size_t j = 0; j <= i; ++j) parts.push_back(graph.derivative(parts[1 + i], j));
   }
   for (const int part : parts) {
     outputs.push_back(part);
-    for (std::size_t i = variables; i < inputs.size(); ++i) outputs.push_back(graph.derivative(part, i));
+    for (std::size_t i = variables; has_derivatives && i < inputs.size(); ++i)
+      outputs.push_back(graph.derivative(part, i));
   }
   return {graph, outputs};
 }
@@ -48,7 +39,7 @@ std::size_t at(const std::vector<Eigen::Index>& axes, Eigen::Index i) {
 
 /// The variables along which a curve may rise from a place: from an end of the range into it.
 std::vector<Eigen::Index> rising_axes(const Place& place, const std::vector<CurvePart>& parts,
-                                      const std::vector<std::vector<StudyEdge>>& edges) {
+                                      const Edges& edges) {
   std::vector<Eigen::Index> axes = free_axes(place, edges);
   for (std::size_t i = 0; i < place.size(); ++i) {
     const long double slope = parts[1 + i].value;
@@ -74,7 +65,7 @@ VectorOf<double> ascent(const std::vector<CurvePart>& parts, std::size_t variabl
 }
 
 Place moved_by_step(Place place, const VectorOf<double>& step, const std::vector<Eigen::Index>& axes,
-                    const std::vector<std::vector<StudyEdge>>& edges) {
+                    const Edges& edges) {
   for (Eigen::Index i = 0; i < step.size(); ++i) {
     const auto& of_axis = edges[at(axes, i)];
     place[at(axes, i)] = std::clamp(place[at(axes, i)] + step[i], of_axis.front().at, of_axis.back().at);
@@ -84,15 +75,16 @@ Place moved_by_step(Place place, const VectorOf<double>& step, const std::vector
 
 }  // namespace
 
-LinearCurve::LinearCurve(const ReadStudy& study, Touch of, double level_share, const Symbolic& formula,
-                         bool is_slope)
-    : touch(of),
-      share(level_share),
-      variables_(study.axes.size()),
-      heights_(tape_of_heights(study, formula, is_slope)),
-      parts_(tape_of_parts(study, formula, is_slope), {}) {}
+Wide wide(const std::vector<double>& parameters) {
+  return Eigen::Map<const VectorOf<double>>(parameters.data(), std::ssize(parameters)).cast<long double>();
+}
 
-std::vector<CurvePart> LinearCurve::at(const Place& place, const Wide& parameters) {
+CurveParts::CurveParts(const ReadStudy& study, const Symbolic& formula, bool is_slope, bool has_derivatives)
+    : variables_(study.axes.size()),
+      derivatives_(has_derivatives ? study.parameters.size() : 0),
+      parts_(tape_of_parts(study, formula, is_slope, has_derivatives), {}) {}
+
+std::vector<CurvePart> CurveParts::at(const Place& place, const Wide& parameters) {
   std::vector<long double> inputs(place.begin(), place.end());
   inputs.insert(inputs.end(), parameters.begin(), parameters.end());
   parts_.run(inputs);
@@ -100,38 +92,20 @@ std::vector<CurvePart> LinearCurve::at(const Place& place, const Wide& parameter
   std::size_t next = 0;
   for (CurvePart& part : parts) {
     part.value = parts_.output(next++);
-    part.slope.resize(parameters.size());
+    part.slope.resize(static_cast<Eigen::Index>(derivatives_));
     for (long double& slope : part.slope) slope = parts_.output(next++);
   }
   return parts;
 }
 
-std::vector<LinearCurve> linear_curves(const ReadStudy& study, const Constraints& constraints) {
-  const Symbolic error = error_formula(study);
-  const auto number = [](double value) { return Symbolic::number(to_text(value)); };
-  std::vector<LinearCurve> curves;
-  const auto add = [&](Touch touch, const Symbolic& formula, bool is_slope = false) {
-    curves.emplace_back(study, touch, 0, formula, is_slope);
-  };
-  const bool is_above = constraints.one_sided == Side::above, is_below = constraints.one_sided == Side::below;
-  // The factor of a relative error has the sign of the target: a side is that of the form itself.
-  const Symbolic difference = study.form - study.target;
-  curves.emplace_back(study, Touch::highest, 1, error, false);
-  curves.emplace_back(study, Touch::lowest, 1, -error, false);
-  if (is_above) add(Touch::lowest, -difference);
-  if (is_below) add(Touch::highest, difference);
-  if (constraints.at_most) add(Touch::at_most, study.form - number(*constraints.at_most));
-  if (constraints.at_least) add(Touch::at_least, number(*constraints.at_least) - study.form);
-  if (constraints.monotone == Course::falls) add(Touch::falls, study.form, true);
-  if (constraints.monotone == Course::rises) add(Touch::rises, -study.form, true);
-  if (!constraints.exact_at.empty()) {
-    add(Touch::exact, difference);
-    add(Touch::exact, -difference);
+bool are_near(const Place& a, const Place& b, const std::vector<StudyAxis>& axes, double share) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i] - b[i]) > share * (axes[i].upper - axes[i].lower)) return false;
   }
-  return curves;
+  return true;
 }
 
-std::vector<Eigen::Index> free_axes(const Place& place, const std::vector<std::vector<StudyEdge>>& edges) {
+std::vector<Eigen::Index> free_axes(const Place& place, const Edges& edges) {
   std::vector<Eigen::Index> axes;
   for (std::size_t i = 0; i < place.size(); ++i) {
     const auto is_here = [&](const StudyEdge& edge) { return edge.at == place[i]; };
@@ -155,8 +129,7 @@ MatrixOf<double> curvature_along(const std::vector<CurvePart>& parts, std::size_
   return result;
 }
 
-Place top_near(LinearCurve& curve, Place place, const Wide& parameters,
-               const std::vector<std::vector<StudyEdge>>& edges) {
+Place top_near(CurveParts& curve, Place place, const Wide& parameters, const Edges& edges) {
   constexpr int most_passes = 40, most_halvings = 20;
   constexpr double at_edge = 1e-5;  // of the range: a top closer to an edge is at the edge if that is higher
   constexpr double most_step = 0.02;  // of the range: a longer one may leave the hill
@@ -201,6 +174,25 @@ Place top_near(LinearCurve& curve, Place place, const Wide& parameters,
     if (!has_climbed) return place;
   }
   return place;
+}
+
+ErrorTops::ErrorTops(const ReadStudy& study, const Edges& edges)
+    : weighted_(weighted_error_of(study)),
+      edges_(edges),
+      error_(weighted_, weighted_.form, false, false),
+      negative_(weighted_, -weighted_.form, false, false) {}
+
+Place ErrorTops::near(const Place& place, const std::vector<double>& parameters) {
+  const bool is_positive = error_.at(place, wide(parameters)).front().value > 0;
+  return top_near(is_positive ? error_ : negative_, place, wide(parameters), edges_);
+}
+
+std::vector<StudyExtremum> ErrorTops::all(const std::vector<double>& parameters) {
+  std::vector<StudyExtremum> tops = tops_of_error(weighted_, edges_, parameters, 0.3);
+  for (StudyExtremum& top : tops) {
+    if (std::isfinite(top.magnitude)) top.at = near(top.at, parameters);
+  }
+  return tops;
 }
 
 }  // namespace shadefit
