@@ -74,6 +74,7 @@ std::optional<LeastLevel> least_level(LinearCuts& cuts) {
     cuts.step_to(Eigen::Map<const Vector>(lowest->unknowns.data(), cuts.size()));
     cuts.add_tops();
   }
+  cuts.fit.parameters = cuts.rounded();
   if (!(cuts.level * cuts.unit > 1e-14 * cuts.sampled.target_norm()))
     return ended(Status::degenerate,
                  "the largest error is down to the rounding of the form: it has no level");

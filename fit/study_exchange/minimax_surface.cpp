@@ -12,7 +12,6 @@
 #include "fit/study/study_problem.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/curved_level.hpp"
-#include "fit/study_exchange/determined.hpp"
 #include "fit/study_exchange/linear_fit.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
 #include "fit/study_squares/confirm_integrals.hpp"
@@ -96,6 +95,7 @@ class SurfaceExchange {
   StudyFit failed(Status status, std::string why) const {
     StudyFit fit;
     fit.level = level_;
+    fit.parameters = parameters_;
     fail(fit, status, std::move(why));
     return fit;
   }
