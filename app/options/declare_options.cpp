@@ -158,6 +158,10 @@ void add_study(CLI::App& command, FitOptions& options) {
       command, "--params", study.parameters, parse_names, "NAME,..",
       "the parameters of --form; then any other unknown name is an error (default: every name that is not a "
       "variable or a constant)");
+  add_values(
+      command, "--bounds", study.bounds, parse_bounds, "NAME=A:B",
+      "the values that a parameter of --form may have, for example a=0:1, or to one side a=0: and a=:1; "
+      "may be repeated");
   add_values(command, "--start", study.starts, parse_held, "NAME=VALUE",
              "one more start of the search: a value of a parameter of --form");
 }

@@ -212,8 +212,8 @@ std::string headline(const Metric& metric) {
 }
 
 std::string option_of_fits(const std::set<std::string>& present) {
-  constexpr std::array all{"--norm",    "--start",    "--fix",      "--exact-at", "--one-sided",
-                           "--at-most", "--at-least", "--monotone", "--round"};
+  constexpr std::array all{"--norm",      "--start",   "--bounds",   "--fix",      "--exact-at",
+                           "--one-sided", "--at-most", "--at-least", "--monotone", "--round"};
   const auto found = std::ranges::find_if(all, [&](const char* option) { return present.contains(option); });
   return found == all.end() ? "" : *found;
 }

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "fit/support/lines.hpp"
 #include "fit/support/sweep.hpp"
@@ -83,6 +85,29 @@ StudyDefinition parse_let(const std::string& option, const std::string& text) {
   if (head.back() != ')') throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
   const std::string list = head.substr(open + 1, head.size() - open - 2);
   return {std::string(trimmed(head.substr(0, open))), parts_of(list, ',', list.size() + 1), formula};
+}
+
+ParameterBounds parse_bounds(const std::string& option, const std::string& text) {
+  constexpr const char* rule = "NAME=A:B, NAME=A: or NAME=:B";
+  const auto [name, range] = halves(option, text, rule);
+  const auto parts = parts_of(range, ':', 3);
+  if (parts.size() != 2) throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
+  if (parts[0].empty() && parts[1].empty())
+    throw UserError(
+        fmt::format("{0} '{1}' has no end: say {0} {2}=0: for values from 0 on", option, text, name));
+  const auto end = [&](const std::string& formula, double open) {
+    if (formula.empty()) return open;
+    const std::optional<double> value = value_of_numbers(formula);
+    if (!value) throw UserError(fmt::format("{} '{}': '{}' is not a finite number", option, text, formula));
+    return *value;
+  };
+  const ParameterBounds bounds{name, end(parts[0], -HUGE_VAL), end(parts[1], HUGE_VAL)};
+  if (bounds.lower == bounds.upper)
+    throw UserError(fmt::format("{} '{}' leaves one value: say --fix {}={}", option, text, name, parts[0]));
+  if (bounds.lower > bounds.upper)
+    throw UserError(fmt::format("{0} '{1}' is empty: it must rise, say {0} {2}={4}:{3}", option, text, name,
+                                parts[0], parts[1]));
+  return bounds;
 }
 
 std::vector<std::string> parse_names(const std::string& option, const std::string& text) {

@@ -21,6 +21,7 @@ struct StudyOptions {
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyDefinition> definitions = {};
   std::vector<Held> starts = {};
+  std::vector<ParameterBounds> bounds = {};
   std::vector<std::string> parameters = {};  ///< empty: every name that is nothing else
 };
 
@@ -34,6 +35,9 @@ std::pair<std::string, std::vector<std::string>> parse_given(const std::string& 
 
 /// "NAME = FORMULA" or "NAME(A, B) = FORMULA".
 StudyDefinition parse_let(const std::string& option, const std::string& text);
+
+/// "NAME=A:B", "NAME=A:" or "NAME=:B": A and B are formulas of numbers, A < B.
+ParameterBounds parse_bounds(const std::string& option, const std::string& text);
 
 /// "a,b": names by commas.
 std::vector<std::string> parse_names(const std::string& option, const std::string& text);

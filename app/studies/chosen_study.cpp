@@ -1,6 +1,7 @@
 #include "app/studies/chosen_study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -25,8 +26,8 @@ void require_family_options(const FitOptions& options) {
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
   if (study.word) throw UserError(fmt::format("'{}' has one form: leave '{}' out", options.id, *study.word));
-  constexpr std::array of_studies{"--table", "--value", "--over",   "--given",
-                                  "--let",   "--start", "--params", "--monotone"};
+  constexpr std::array of_studies{"--table", "--value",  "--over",   "--given",   "--let",
+                                  "--start", "--bounds", "--params", "--monotone"};
   for (const char* option : of_studies) {
     if (options.present.contains(option) || (option == std::string_view("--over") && !study.over.empty()))
       throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
@@ -118,6 +119,32 @@ void change_metric(StudyFile& file, const FitOptions& options) {
   if (asked.monotone) file.constraints.monotone = asked.monotone;
 }
 
+/// The bounds of the options instead of those of the file.
+void change_bounds(StudyFile& file, const StudyOptions& own) {
+  for (auto bounds = own.bounds.begin(); bounds != own.bounds.end(); ++bounds) {
+    const std::string option = fmt::format("--bounds '{}'", to_text(*bounds)), &name = bounds->parameter;
+    if (std::find_if(own.bounds.begin(), bounds, [&](const auto& of) { return of.parameter == name; }) !=
+        bounds)
+      throw UserError(fmt::format("{} gives {} a second time: leave one out", option, name));
+    for (const Held& held : file.study.held) {
+      if (held.parameter == name)
+        throw UserError(
+            fmt::format("{} does not go with --fix '{}={}', which gives {} one value: leave one out", option,
+                        name, to_text(held.value), name));
+    }
+    std::erase_if(file.study.bounds, [&](const auto& of) { return of.parameter == name; });
+    file.study.bounds.push_back(*bounds);
+  }
+}
+
+void require_bounds(const StudyOptions& own, const std::vector<std::string>& parameters) {
+  for (const ParameterBounds& bounds : own.bounds) {
+    if (std::ranges::find(parameters, bounds.parameter) == parameters.end())
+      throw UserError(fmt::format("--bounds '{}': the form has no parameter '{}', it must be one of {}",
+                                  to_text(bounds), bounds.parameter, fmt::join(parameters, ", ")));
+  }
+}
+
 /// A part of the file may not fit the options: then the fault is one of the file, since no option gave the
 /// part.
 void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
@@ -125,7 +152,7 @@ void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
   try {
     Study study = combinations(file.study, file.given).front();
     study.form = form.formula;
-    read_formulas(study);
+    require_bounds(options.study, read_formulas(study).parameters);
   } catch (const StudyFault& fault) {
     if (options.id.empty() || options.present.contains(fault.part.option)) throw;
     throw UserError(fmt::format("study '{}'{}", options.id, fault_in(file, fault, form.id)));
@@ -173,6 +200,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoin
   definitions.insert(definitions.end(), own.definitions.begin(), own.definitions.end());
   file.study.held = options.metric.constraints.held;
   file.study.starts = own.starts;
+  change_bounds(file, own);
   file.study.parameters = own.parameters;
   change_metric(file, options);
   if (own.table == "-") {

@@ -34,17 +34,24 @@ std::vector<fs::path> own_folders() {
 void require_formulas(const StudyFile& file, const fs::path& path) {
   const std::string of = "study '" + printable(path.string()) + "'";
   std::string id;  // of the form that is read
+  std::set<std::string> parameters;
   try {
     Study study = combinations(file.study, file.given).front();
     for (const StudyForm& form : file.forms) {
       id = form.id;
       study.form = form.formula;
       const ReadStudy read = read_formulas(study);
+      parameters.insert(read.parameters.begin(), read.parameters.end());
       for (const PublishedSet& set : file.published) {
         if (set.form != form.id) continue;
         values_of(set, read.parameters);
         for (const ErrorClaim& claim : set.claims) study_of(claim, study);
       }
+    }
+    for (const ParameterBounds& bounds : file.study.bounds) {
+      if (!parameters.contains(bounds.parameter))
+        throw StudyFault({"--bounds", bounds.parameter}, fmt::format(" '{}': no form has a parameter '{}'",
+                                                                     to_text(bounds), bounds.parameter));
     }
     if (file.recompute) read_recompute(study, *file.recompute);
   } catch (const StudyFault& fault) {

@@ -99,7 +99,7 @@ void note_lines(const toml::table& whole, StudyFile& file) {
   const auto note = [&](const std::string& key, const toml::node* node) {
     if (node != nullptr) file.lines[key] = static_cast<long>(node->source().begin.line);
   };
-  for (const char* key : {"over", "given", "let"}) {
+  for (const char* key : {"over", "given", "let", "bounds"}) {
     const toml::table* part = whole[key].as_table();
     if (part == nullptr) continue;
     for (const auto& [name, node] : *part) note(fmt::format("{} {}", key, name.str()), &node);
@@ -293,7 +293,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   toml::table whole = reader.parse(text);
   join_lines(whole);
   reader.require_keys(whole, {"schema", "id", "title", "about", "over", "given", "let", "target", "form",
-                              "metric", "published"});
+                              "bounds", "metric", "published"});
   const auto schema = whole["schema"].value<int>();
   if (schema != study_schema) reader.fail(1, fmt::format("the key 'schema' must be {}", study_schema));
   StudyFile file{.id = reader.required(whole, "id"),
@@ -337,6 +337,12 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   }
   if (const toml::table* let = part("let")) read_definitions(reader, *let, file.study);
   read_forms(reader, whole, file);
+  if (const toml::table* bounds = part("bounds")) {
+    for (const auto& [parameter, node] : reader.in_order(*bounds))
+      file.study.bounds.push_back(reader.parsed(*node, [&, &key = parameter, &value = node] {
+        return parse_bounds("bounds", key + "=" + reader.text(*value, key));
+      }));
+  }
   if (const toml::table* metric = part("metric")) read_metric(reader, *metric, file);
   note_lines(whole, file);
   for (const toml::node* node : reader.list(whole, "published"))

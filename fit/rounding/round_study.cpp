@@ -29,6 +29,7 @@ void require_plain(const StudyObjective& objective, const NumberFormat& format) 
   refuse(integral_depth(error_formula(read_formulas(objective.study))) > 0,
          "'integral': no enclosure of it is fast enough");
   refuse(objective.constraints != Constraints{}, "a constraint: rounding would break it");
+  refuse(!objective.study.bounds.empty(), "--bounds: rounding would break them");
 }
 
 /// The steps of the grid of the first places, in one, two and three variables.

@@ -258,6 +258,11 @@ std::string density_of(const std::string& text, const std::string& variable) {
   return text == "cosine-weighted" ? variable : text;
 }
 
+std::string to_text(const ParameterBounds& bounds) {
+  const auto end = [](double value) { return std::isfinite(value) ? to_text(value) : ""; };
+  return bounds.parameter + "=" + end(bounds.lower) + ":" + end(bounds.upper);
+}
+
 std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes) {
   std::vector<std::string> variables;
   for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
@@ -303,6 +308,9 @@ ReadStudy read_formulas(const Study& study) {
     result.form = evaluate<Symbolic>(result.form, [&](const std::string& name) {
       return name == held.parameter ? Symbolic::number(to_text(held.value)) : Symbolic::variable(name);
     });
+  }
+  for (const ParameterBounds& bounds : study.bounds) {
+    if (contains(result.parameters, bounds.parameter)) result.bounds.push_back(bounds);
   }
   for (const Held& start : study.starts) {
     if (!contains(result.parameters, start.parameter))

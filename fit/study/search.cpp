@@ -257,12 +257,45 @@ void search_on(SearchedStudy& searched, SearchStarts& wanted, const Search& sear
 
 }  // namespace
 
+namespace {
+
+/// The bounds of each parameter, infinite where it has none. Empty if none has any.
+std::vector<std::array<double, 2>> bounds_of(const ReadStudy& study) {
+  std::vector<std::array<double, 2>> result;
+  if (!study.bounds.empty()) result.assign(study.parameters.size(), {-HUGE_VAL, HUGE_VAL});
+  for (const ParameterBounds& bounds : study.bounds) {
+    const auto found = std::ranges::find(study.parameters, bounds.parameter);
+    result[static_cast<std::size_t>(found - study.parameters.begin())] = {bounds.lower, bounds.upper};
+  }
+  return result;
+}
+
+/// A value that is outside goes as far to the other side of the bound, and round again.
+double folded(double value, const std::array<double, 2>& bounds) {
+  const auto [lower, upper] = bounds;
+  if (lower <= value && value <= upper) return value;
+  if (std::isinf(upper)) return lower + std::abs(value - lower);
+  if (std::isinf(lower)) return upper - std::abs(value - upper);
+  return lower + std::fmod(std::abs(value - lower), upper - lower);
+}
+
+bool is_inside(const std::vector<double>& parameters, const std::vector<std::array<double, 2>>& bounds) {
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    if (!(bounds[i][0] <= parameters[i] && parameters[i] <= bounds[i][1])) return false;
+  return true;
+}
+
+}  // namespace
+
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
   std::vector<double> result(study.parameters.size(), 1);
   for (const Held& start : starts) {
     const auto found = std::find(study.parameters.begin(), study.parameters.end(), start.parameter);
     result[static_cast<std::size_t>(found - study.parameters.begin())] = start.value;
   }
+  const auto bounds = bounds_of(study);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    result[i] = std::clamp(result[i], bounds[i][0], bounds[i][1]);
   return result;
 }
 
@@ -313,6 +346,10 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
       const Descents scan(error, coarse, wanted.units, checkpoint);
       std::vector<Vector> places = starting_places(wanted, problem.unknowns());
       if (!wanted.ranges.empty()) std::ranges::move(placed(wanted, scan), std::back_inserter(places));
+      for (Vector& place : places) {
+        for (Eigen::Index i = 0; i < place.size() && !wanted.bounds.empty(); ++i)
+          place[i] = folded(place[i], wanted.bounds[problem.unknowns()[static_cast<std::size_t>(i)]]);
+      }
       ends = scan.all_at(places);
       for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
     }
@@ -348,6 +385,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0, study.rows != nullptr};
   SearchStarts wanted = starts_of(study, nonlinear);
   if (!study.rows && nonlinear > 0) wanted.units = units_of(study, target);
+  wanted.bounds = bounds_of(study);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
   if (study.has_only_starts && nonlinear > 0) {
     wanted.count = 0;
@@ -355,6 +393,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
     for (std::vector<double>& start : wave_starts(study)) wanted.given.push_back(std::move(start));
     wanted.ranges = positions_of(study);
     if (!wanted.ranges.empty()) wanted.sizes = sizes_of(study, target);
+  }
+  for (std::vector<double>& start : wanted.given) {
+    for (std::size_t i = 0; i < wanted.bounds.size(); ++i) start[i] = folded(start[i], wanted.bounds[i]);
   }
   // Fewer nodes, but still more than parameters, show the same basins.
   std::optional<SampledStudy<double>> coarse;
@@ -369,6 +410,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   result.candidates = search();
   result.starts = static_cast<int>(wanted.sets() * wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
   if (nonlinear > 0) search_on(result, wanted, search);
+  const auto is_out = [&](const StudyCandidate& end) { return !is_inside(end.parameters, wanted.bounds); };
+  if (nonlinear > 0 && !std::ranges::all_of(result.candidates, is_out))
+    std::erase_if(result.candidates, is_out);
   if (result.candidates.empty())
     throw UserError(
         "--form has a pole, or no finite value, from every start: give another by --start, for example --start " +

@@ -30,6 +30,7 @@ struct SearchStarts {
   std::vector<std::optional<std::array<double, 2>>> ranges = {};
   std::vector<double> sizes = {};
   std::size_t first = 1;
+  std::vector<std::array<double, 2>> bounds = {};  ///< of all parameters, if any has: starts lie inside
 
   std::size_t sets() const { return std::size_t{1} + !units.empty() + 2 * !ranges.empty(); }
 };
@@ -60,10 +61,12 @@ bool is_slower_wave(const std::vector<double>& a, const std::vector<double>& b);
 /// each different square; with rows the slowest wave of those that have it.
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most = 4);
 
-/// A start of all parameters: those that are not given are 1.
+/// A start of all parameters: those that are not given are 1, and those outside their bounds are moved to
+/// them.
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts);
 
-/// Throws UserError where a formula has no value in the range, and if no start has a finite error.
+/// Within bounds the starts lie inside them, and so do all candidates if any does. Throws UserError where a
+/// formula has no value in the range, and if no start has a finite error.
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,
                            const Checkpoint& checkpoint = keep_going);

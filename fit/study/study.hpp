@@ -30,6 +30,16 @@ struct StudyDefinition {
   std::string formula;
 };
 
+/// The values that a parameter may have: lower < upper, infinite where there is no bound.
+struct ParameterBounds {
+  std::string parameter;
+  double lower, upper;
+  auto operator<=>(const ParameterBounds&) const = default;
+};
+
+/// "a=0:1", "a=0:", "a=:1", as the option has them.
+std::string to_text(const ParameterBounds& bounds);
+
 /// What is asked for, as its user wrote it.
 struct Study {
   std::string target, form;
@@ -38,6 +48,7 @@ struct Study {
   std::map<std::string, std::string> given = {};  ///< held constants: formulas of numbers
   std::vector<Held> held = {};                    ///< parameters with given values
   std::vector<Held> starts = {};                  ///< values from which a descent starts too
+  std::vector<ParameterBounds> bounds = {};       ///< those of names that this form does not have count not
   std::vector<std::string> parameters = {};  ///< those of the form; empty: every name that is nothing else
   /// Then no other descent starts, and a fit of rows has no statistics. This tells whether `starts` are near
   /// an optimum.
@@ -65,6 +76,7 @@ struct ReadStudy {
   Error error;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< then the target is the variable `value`
   bool has_only_starts = false;
+  std::vector<ParameterBounds> bounds = {};  ///< of free parameters, at most one each
 };
 
 /// The variables of axes.

@@ -8,6 +8,7 @@
 
 #include "fit/least_squares/status.hpp"
 #include "fit/minimax/alternation.hpp"
+#include "fit/quadrature/metric.hpp"
 #include "fit/study/row_statistics.hpp"
 
 /// What comes out of a fit of a study.
@@ -49,6 +50,7 @@ struct StudyFit {
   std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
   std::vector<StudyContact> touching = {};         ///< of one in several variables: where it is at its level
   std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
+  std::vector<Held> at_bounds = {};                        ///< parameters that lie on a bound of theirs
   bool is_sampled = false;  ///< whether nothing but samples tells what happens between the nodes
 };
 

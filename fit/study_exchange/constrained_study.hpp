@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fit/study/study_fit.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/checkpoint.hpp"
 
 namespace shadefit {
@@ -26,5 +27,13 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
 
 /// Whether there is a constraint other than held parameters.
 bool has_constraints(const Constraints& constraints);
+
+/// Whether a form without free parameters keeps constraints, up to a rounding of its values. `study` is one
+/// of a variable.
+bool keeps_constraints(const ReadStudy& study, const Constraints& constraints);
+
+/// Whether the slopes of the error by the parameters depend on each other, where the form is linear in them:
+/// then some parameters change together and the curve stays the same.
+bool are_dependent(const SampledStudy<double>& sampled, const std::vector<double>& parameters);
 
 }  // namespace shadefit

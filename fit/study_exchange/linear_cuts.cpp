@@ -6,6 +6,7 @@
 
 #include "fit/study/even_grid.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
 #include "fit/study_rows/row_descent.hpp"
 #include "fit/study_squares/equal_candidates.hpp"
 #include "fit/support/decimal.hpp"
@@ -57,6 +58,24 @@ std::vector<LinearCurve> linear_curves(const ReadStudy& study, const Constraints
 }
 
 }  // namespace
+
+bool keeps_constraints(const ReadStudy& study, const Constraints& constraints) {
+  constexpr double rounding = 1e-12;
+  const double size = 1 + largest_error(study, {}).magnitude;
+  const Edges edges = edges_of(study);
+  for (LinearCurve& curve : linear_curves(study, constraints)) {
+    if (curve.share > 0) continue;
+    const auto keeps = [&](double height) { return height <= rounding * size; };
+    if (curve.touch == Touch::exact) {
+      for (const double x : constraints.exact_at)
+        if (!keeps(static_cast<double>(curve.parts.at({x}, {}).front().value))) return false;
+    } else {
+      for (const StudyExtremum& top : tops_of(curve.heights, 0.0, edges, {}, 1))
+        if (!keeps(top.magnitude)) return false;
+    }
+  }
+  return true;
+}
 
 LinearCuts::LinearCuts(const LinearProblem& problem)
     : LinearProblem(problem),

@@ -8,6 +8,7 @@
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
 #include "fit/study_exchange/linear_programmes.hpp"
 #include "fit/study_rows/row_descent.hpp"
 #include "fit/study_squares/rules.hpp"

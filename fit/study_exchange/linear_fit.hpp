@@ -6,10 +6,6 @@
 
 namespace shadefit {
 
-/// Whether the slopes of the error by the parameters depend on each other, where the form is linear in them:
-/// then some parameters change together and the curve stays the same.
-bool are_dependent(const SampledStudy<double>& sampled, const std::vector<double>& parameters);
-
 /// Whether parameters satisfy constraints, up to a small share of the error at the start.
 bool keeps_constraints(const LinearProblem& problem, const std::vector<double>& parameters);
 

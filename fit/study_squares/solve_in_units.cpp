@@ -48,6 +48,10 @@ ReadStudy in_units(ReadStudy study, const Units& units) {
   axis.lower = moved(axis.lower, units.at(axis.variable), -1);
   axis.upper = moved(axis.upper, units.at(axis.variable), -1);
   for (double& cut : axis.cuts) cut = moved(cut, units.at(axis.variable), -1);
+  for (ParameterBounds& bounds : study.bounds) {
+    bounds.lower = moved(bounds.lower, units.at(bounds.parameter), -1);
+    bounds.upper = moved(bounds.upper, units.at(bounds.parameter), -1);
+  }
   axis.density = substituted(axis.density);
   study.target = times_power_of_two(substituted(study.target), -units.at(""));
   study.form = times_power_of_two(substituted(study.form), -units.at(""));

@@ -20,6 +20,7 @@
 #include "fit/study_squares/solve_in_units.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
+#include "fit/verdicts/bounded_study.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {
@@ -318,10 +319,16 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
                ? solve_minimax_study(study, objective.constraints, starts, checkpoint)
                : solve_constrained_study(study, objective.constraints, starts, checkpoint);
   };
-  const auto solve_read = [&] {
+  const auto solve_any = [&](const ReadStudy& study, const std::vector<Held>& starts) {
     // Constraints are in the units of the study.
-    return has_constraints(objective.constraints) ? solve(read, objective.study.starts)
-                                                  : solve_in_units(read, objective.study.starts, solve);
+    return has_constraints(objective.constraints) ? solve(study, starts)
+                                                  : solve_in_units(study, starts, solve);
+  };
+  const auto solve_read = [&] {
+    const std::vector<Held>& starts = objective.study.starts;
+    return read.bounds.empty()
+               ? solve_any(read, starts)
+               : solve_bounded_study(read, objective.norm, objective.constraints, starts, solve_any);
   };
   StudyFit fit = objective.study.cuts ? solve_read() : seen_fit(read, solve_read);
   fit.is_sampled = !read.rows && !is_enclosed(read);

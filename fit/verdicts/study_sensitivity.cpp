@@ -15,6 +15,8 @@ void require_plain(const StudyObjective& objective) {
     throw UserError("--sensitivity does not go with --table: a fit of rows has profile intervals instead");
   if (objective.constraints != Constraints{})
     throw UserError("--sensitivity does not go with a constraint: rounded constants do not meet it");
+  if (!objective.study.bounds.empty())
+    throw UserError("--sensitivity does not go with --bounds: rounded constants do not keep to them");
 }
 
 FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit, const Checkpoint& checkpoint) {

@@ -67,6 +67,13 @@ std::string range_text(const StudyRange& range) {
   return range.density == "1" ? text : fmt::format("{}, density {}", text, range.density);
 }
 
+/// "a in 0:1", "a >= 0".
+std::string bounds_text(const ParameterBounds& of) {
+  if (std::isinf(of.upper)) return fmt::format("{} >= {}", of.parameter, to_text(of.lower));
+  if (std::isinf(of.lower)) return fmt::format("{} <= {}", of.parameter, to_text(of.upper));
+  return fmt::format("{} in {}:{}", of.parameter, to_text(of.lower), to_text(of.upper));
+}
+
 /// A place as an object of variables to values.
 Json place_json(const FittedStudy& study, const std::vector<double>& at) {
   Json object = Json::object();
@@ -205,8 +212,8 @@ Table study_table(const std::vector<FittedStudy>& studies) {
   for (const FittedStudy& study : studies) {
     std::vector<Cell>& row = table.rows.emplace_back();
     for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
-    for (const double p : study.fit.parameters)
-      row.push_back(is_answer(study) ? Cell(Number{p, all_digits}) : Cell());
+    for (std::size_t i = 0; i < study.fit.names.size(); ++i)
+      row.push_back(is_answer(study) ? Cell(Number{study.fit.parameters[i], all_digits}) : Cell());
     row.emplace_back(status_of(study));
     if (is_answer(study)) {
       row.insert(row.end(), {study.fit.names.empty() ? Cell() : Cell(static_cast<long>(study.fit.digits)),
@@ -237,7 +244,8 @@ OthersText formulas_text(const Study& study) {
 
 OthersText study_headline(const FittedStudy& study) {
   const std::string weight = study.asked().weight == "1" ? "" : ", weight " + study.asked().weight;
-  return formulas_text(study.asked()) + ", " + study.objective.words + weight;
+  return formulas_text(study.asked()) + ", " + study.objective.words + weight +
+         joined(study.read.bounds, "", [](const ParameterBounds& of) { return ", " + bounds_text(of); });
 }
 
 std::string level_text(const FittedStudy& study) {
@@ -246,12 +254,15 @@ std::string level_text(const FittedStudy& study) {
   const Constraints& constraints = study.objective.constraints;
   const std::string& variable = study.read.axes.front().variable;
   const std::string touching = touching_lines(fit.alternation, constraints, variable);
-  if (!fit.level) return touching;
+  const std::string at_bounds = joined(fit.at_bounds, "", [](const Held& at) {
+    return fmt::format("{} is at its bound {}\n", at.parameter, to_text(at.value));
+  });
+  if (!fit.level) return touching + at_bounds;
   const char* others =
       fit.is_unique ? "" : "Other constants have this level too. These have the least mean square of them.\n";
-  return fmt::format("Level {:.10g}, the error is {}{}\n{}{}", *fit.level,
+  return fmt::format("Level {:.10g}, the error is {}{}\n{}{}{}", *fit.level,
                      level_places(fit.alternation, constraints, variable), contacts_text(fit, variable),
-                     others, touching);
+                     others, touching, at_bounds);
 }
 
 Table uncertainty_table(const std::vector<FittedStudy>& studies) {
@@ -308,6 +319,7 @@ std::string uncertainty_text(const std::vector<FittedStudy>& studies) {
     const FittedStudy& first = studies.front();
     if (first.fit.names.empty()) return "";
     if (first.fit.status != Status::converged || first.fit.level) return "";
+    if (!first.fit.at_bounds.empty()) return "No standard errors: a parameter is at its bound.\n";
     return first.read.rows->value.size() == first.fit.names.size()
                ? "No standard errors: there are as many rows as parameters.\n"
                : "No standard errors: the residuals are rounding.\n";
@@ -332,6 +344,8 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
     }
     const bool has_answer = is_answer(study);
     const auto& rows = study.asked().rows;
+    Json bounds = Json::object();
+    for (const Held& at : study.fit.at_bounds) bounds[at.parameter] = at.value;
     array.push_back({{"target", rows ? Json() : Json(study.asked().target)},
                      {"form", study.asked().form},
                      {"over", over},
@@ -345,6 +359,7 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"global", study.fit.is_global},
                      {"unique", has_answer ? Json(study.fit.is_unique) : Json()},
                      {"parameters", has_answer ? json_object(study.fit.names, study.fit.parameters) : Json()},
+                     {"at_bounds", has_answer ? bounds : Json()},
                      {"digits", has_answer ? Json(study.fit.digits) : Json()},
                      {"rms_error", has_answer ? Json(study.fit.rms_error) : Json()},
                      {"max_abs_error", has_answer ? Json(study.fit.max_abs_error.magnitude) : Json()},

@@ -25,6 +25,66 @@ std::vector<std::string> with(std::vector<std::string> words, const std::vector<
   return words;
 }
 
+// The nearest line to x has b = 1; with b <= 1/2 it goes through the mean, 1/2.
+TEST(StudyCommand, KeepsParametersWithinBounds) {
+  const std::vector<std::string> line{"fit", "--target", "x", "--form", "a + b x", "--over", "x=0:1"};
+  const auto half = with(line, {"--bounds", "b=0:0.5", "--bounds", "a=0:"});
+  const std::string text = run_command_line(half).out;
+  expect_has(text, "a + b x ~ x, x in 0:1, least squares, b in 0:0.5, a >= 0\n");
+  expect_has(text, "b is at its bound 0.5\n");
+  const auto json = json_of(half);
+  EXPECT_NEAR(json["parameters"]["a"].get<double>(), 0.25, 1e-15);
+  EXPECT_EQ(json["at_bounds"].dump(), R"({"b":0.5})");
+  EXPECT_EQ(json_of(with(line, {"--bounds", "b=0:2"}))["at_bounds"].dump(), "{}");
+  const auto minimax = json_of(with(half, {"--norm", "minimax"}));
+  EXPECT_NEAR(minimax["level"].get<double>(), 0.25, 1e-15);
+  const TemporaryDirectory folder;
+  const std::string rows = folder.file("rows.csv", "x,value\n0,0\n0.5,0.6\n1,1\n");
+  const std::vector<std::string> of_rows{"fit", "--table", rows, "--form", "a + b x", "--over", "x"};
+  const std::string uncertain = run_command_line(with(of_rows, {"--bounds", "b=:0.5"})).out;
+  expect_has(uncertain, "b is at its bound 0.5\nNo standard errors: a parameter is at its bound.\n");
+  // Code of a fit within bounds.
+  std::vector<std::string> emit = half;
+  emit.front() = "emit";
+  expect_has(run_command_line(with(emit, {"--lang", "c"})).out, "0.5");
+}
+
+TEST(StudyCommand, RefusesBoundsThatCannotBe) {
+  expect_refusal(with(acos_linear, {"--bounds", "z=0:1"}),
+                 "--bounds 'z=0:1': the form has no parameter 'z', it must be one of a, b");
+  expect_refusal(with(acos_linear, {"--bounds", "a=0:1", "--bounds", "a=1:2"}),
+                 "--bounds 'a=1:2' gives a a second time: leave one out");
+  expect_refusal(with(acos_linear, {"--bounds", "a=0:1", "--fix", "a=2"}),
+                 "--bounds 'a=0:1' does not go with --fix 'a=2', which gives a one value: leave one out");
+  expect_refusal(with(acos_linear, {"--bounds", "a=1:0"}),
+                 "--bounds 'a=1:0' is empty: it must rise, say --bounds a=0:1");
+  expect_refusal({"fit", "fresnel-quadratic", "--bounds", "a=0:1"},
+                 "--bounds belongs to --form, a formula of your own, or to a study");
+  expect_refusal(with(acos_linear, {"--bounds", "a=0:1", "--round", "float"}),
+                 "--round 'float' does not go with --bounds: rounding would break them");
+  expect_refusal(with(acos_linear, {"--bounds", "a=0:1", "--sensitivity"}),
+                 "--sensitivity does not go with --bounds: rounded constants do not keep to them");
+}
+
+// [bounds] of a file counts for the forms with such a parameter; --bounds replaces it.
+TEST(StudyCommand, ReadsBoundsOfAFile) {
+  const std::string study =
+      "schema = 1\nid = \"line\"\n[over]\nx = \"0:1\"\n[target]\nformula = \"x\"\n[[form]]\nid = \"line\"\n"
+      "formula = \"a + b x\"\n[[form]]\nid = \"constant\"\nformula = \"a\"\n[bounds]\n";
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("line.toml", study + "b = \"0:0.5\"\n");
+  EXPECT_EQ(json_of({"fit", file})["at_bounds"].dump(), R"({"b":0.5})");
+  EXPECT_EQ(json_of({"fit", file, "constant"})["at_bounds"].dump(), "{}");
+  EXPECT_EQ(json_of({"fit", file, "--bounds", "b=:0.25"})["at_bounds"].dump(), R"({"b":0.25})");
+  EXPECT_EQ(json_of({"fit", file, "--fix", "b=0.75"})["at_bounds"].dump(), "{}");
+  const std::string unknown = folder.file("unknown.toml", study + "z = \"0:1\"\n");
+  expect_refusal({"fit", unknown},
+                 "study '" + unknown + "', line 14: bounds 'z=0:1': no form has a parameter 'z'");
+  const std::string empty = folder.file("empty.toml", study + "b = \"1:0\"\n");
+  expect_has(run_command_line({"fit", empty}).err,
+             "line 14: bounds 'b=1:0' is empty: it must rise, say bounds b=0:1");
+}
+
 TEST(StudyCommand, PrintsEveryFormat) {
   const auto json = json_of(acos_linear);
   EXPECT_NEAR(json["parameters"]["a"].get<double>(), 1.56515463601461, 2e-14);
