@@ -13,9 +13,9 @@
 #include "fit/rounding/every_number.hpp"
 #include "fit/rounding/rounding.hpp"
 #include "fit/rounding/study_lattice.hpp"
-#include "fit/support/user_error.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -159,11 +159,9 @@ TEST(RoundStudy, AvoidsAPole) {
   EXPECT_EQ(found.naive.max_error, HUGE_VAL);
 }
 
-// In float the parts of the bound add up.
 TEST(RoundStudy, BoundsTheRoundingOfFloat) {
   const RoundedStudy found = rounded(fresnel_pair, Norm::minimax, single);
   EXPECT_EQ(found.best.texts, (std::vector<std::string>{"-5.5513434", "-6.9961205"}));
-  EXPECT_EQ(found.searched, "all finite numbers of the format");
   const auto& set = found.best;
   EXPECT_EQ(set.max_error, std::nextafter(set.real_error.value() + set.rounding_error.value(), 1.0));
   EXPECT_GT(set.gpu_bound.value(), set.max_error);
@@ -217,12 +215,7 @@ TEST(RoundStudy, RefusesWhatRoundingBreaks) {
   const auto refusal = [](const Study& study, const NumberFormat& format,
                           const Constraints& constraints = {}) {
     const StudyObjective objective = objective_of(study, Norm::minimax, constraints);
-    try {
-      round_study(objective, fit_study(objective), format);
-    } catch (const UserError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return testing::refusal([&] { round_study(objective, fit_study(objective), format); });
   };
   Study plane = line_of_square;
   plane.over.push_back({"y", "0", "1"});
@@ -270,7 +263,6 @@ TEST(EvaluateStudy, FindsTheBestHalves) {
   const RoundedStudy found = evaluated(fresnel_pair, half_format);
   EXPECT_GE(found.best.max_error, 0.003579594) << "the proven best of all halves";
   EXPECT_LE(found.best.max_error, 0.0036);
-  EXPECT_LT(found.best.max_error, found.naive.max_error);
 }
 
 // What is left out has no larger error.
@@ -291,12 +283,7 @@ TEST(EvaluateStudy, TheLargestOfEveryNumberIsThatOfTheLoop) {
 
 TEST(EvaluateStudy, RefusesWhatHasNoList) {
   const auto refusal = [](const Study& study, const NumberFormat& format) {
-    try {
-      evaluated(study, format);
-    } catch (const UserError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return testing::refusal([&] { evaluated(study, format); });
   };
   Study plane = line_of_square;
   plane.over.push_back({"y", "0", "1"});
@@ -306,8 +293,6 @@ TEST(EvaluateStudy, RefusesWhatHasNoList) {
   EXPECT_EQ(refusal(mean, single),
             "--evaluate 'float' does not go with 'integral': no enclosure of it is fast enough");
   EXPECT_EQ(refusal(mean, half_format), "");
-  EXPECT_THROW(parse_evaluated_format("bfloat16"), UserError);
-  EXPECT_EQ(parse_evaluated_format("half"), half_format);
 }
 
 }  // namespace
