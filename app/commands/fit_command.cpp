@@ -117,6 +117,9 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
         "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
   if (options.certify)
     throw UserError("--certify belongs to a study or --form: see 'shadefit certify " + options.id + "'");
+  if (options.evaluate)
+    throw UserError(fmt::format("--evaluate '{}' belongs to a study or --form: for a family take --round",
+                                to_text(*options.evaluate)));
   if (options.plot) require_picture(*options.plot);
   const auto [family_found, published] = find_fit(options.id);
   const FittableFamily& family = *family_found;

@@ -5,6 +5,8 @@
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
+#include "fit/rounding/evaluate_study.hpp"
+#include "fit/rounding/round_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
@@ -119,15 +121,30 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
 struct StudyExtras {
   std::vector<std::optional<ProvenStudy>> proofs;
-  std::vector<std::optional<RoundedStudy>> rounded;
+  std::vector<std::optional<RoundedStudy>> rounded, evaluated;
   std::vector<std::optional<StudySensitivity>> sensitivities;
 };
+
+/// The values of the first published set; empty without one, and with one that is no number.
+std::vector<double> published_values(const FittedStudy& study) {
+  std::vector<double> values;
+  if (study.published.empty()) return values;
+  for (const std::string& text : values_of(study.published.front().set, study.fit.names)) {
+    const auto value = value_of_numbers(text);
+    if (!value) return {};
+    values.push_back(*value);
+  }
+  return values;
+}
 
 StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions& options,
                       const Checkpoint& checkpoint, const Progress& progress) {
   StudyExtras extras;
-  const char* what = options.certify ? "certify" : options.round ? "round" : "sensitivity";
-  const bool is_any = options.certify || options.round || options.sensitivity;
+  const char* what = options.certify    ? "certify"
+                     : options.round    ? "round"
+                     : options.evaluate ? "evaluate"
+                                        : "sensitivity";
+  const bool is_any = options.certify || options.round || options.evaluate || options.sensitivity;
   const Checkpoint next = stepping(checkpoint, progress, what, is_any ? studies.size() : 0);
   for (const FittedStudy& study : studies) {
     next();
@@ -141,7 +158,12 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
     }
     extras.rounded.emplace_back();
     if (is_answer && options.round)
-      extras.rounded.back() = round_study(objective, study.fit, *options.round, checkpoint);
+      extras.rounded.back() =
+          round_study(objective, study.fit, *options.round, published_values(study), checkpoint);
+    extras.evaluated.emplace_back();
+    if (is_answer && options.evaluate)
+      extras.evaluated.back() =
+          evaluate_study(objective, study.fit, *options.evaluate, published_values(study), checkpoint);
     extras.sensitivities.emplace_back();
     if (is_answer && options.sensitivity)
       extras.sensitivities.back() = sensitivity_of(objective, study.fit, checkpoint);
@@ -178,12 +200,13 @@ std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, con
 
 std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
                          const StudyExtras& extras, const FitOptions& options) {
-  const auto& [proofs, rounded, sensitivities] = extras;
+  const auto& [proofs, rounded, evaluated, sensitivities] = extras;
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
       if (proofs[i]) add_study_proof(json[i], *proofs[i]);
       if (rounded[i]) json[i]["rounded"] = study_rounding_json(studies[i], *rounded[i]);
+      if (evaluated[i]) json[i]["evaluated"] = study_rounding_json(studies[i], *evaluated[i]);
       if (sensitivities[i]) json[i]["sensitivity"] = study_sensitivity_json(studies[i], *sensitivities[i]);
     }
     return json_text_of_each(json);
@@ -196,6 +219,7 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
   if (options.latex) return latex_text(file, studies);
   std::string out = console_text(file, studies, options.terminal) + proofs_block(proofs, options.terminal);
   if (options.round) out += study_roundings_text(studies, rounded, options.terminal);
+  if (options.evaluate) out += study_roundings_text(studies, evaluated, options.terminal);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += study_sensitivity_text(studies[i], *sensitivities[i], options.terminal);
   }

@@ -111,8 +111,18 @@ CLI::Option* add_round(CLI::App& command, FitOptions& options) {
   const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
   return add_value(
       command, "--round", options.round, round, "float|half|bfloat16|decimal:N",
-      "the best constants in this number format, for a form that is evaluated in it; half and bfloat16: of "
-      "built-in families");
+      "the best constants in this number format; half and bfloat16: for a form of one variable that is evaluated "
+      "in it");
+}
+
+CLI::Option* add_evaluate(CLI::App& command, FitOptions& options) {
+  const auto format = [](const std::string&, const std::string& text) {
+    return parse_evaluated_format(text);
+  };
+  return add_value(
+      command, "--evaluate", options.evaluate, format, "half|float",
+      "of a study or --form: constants for a form that is evaluated in this format, in the order that "
+      "emit prints; the best that steps from the fit find");
 }
 
 /// Adds the options of a study. Named studies take them too, instead of what the file says.
@@ -251,11 +261,12 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   const std::array extras{
       fit.add_flag("--certify", options.certify,
                    "of a study or --form: also prove bounds of the largest error"),
-      add_round(fit, options),
+      add_round(fit, options), add_evaluate(fit, options),
       fit.add_flag(
           "--sensitivity", options.sensitivity,
           "also how many digits of each constant matter, and the fit under other measures and domains")};
   for (CLI::Option* extra : extras) extra->excludes(csv)->excludes(latex);
+  extras[2]->excludes(extras[1]);  // both name the arithmetic
   add_plot(fit, options, "also draw the fit and its error");
 }
 

@@ -58,6 +58,7 @@ struct FitOptions {
   bool latex = false;
   bool certify = false;
   std::optional<NumberFormat> round = {};
+  std::optional<NumberFormat> evaluate = {};  ///< half or float
   bool sensitivity = false;
   std::optional<std::string> plot = {};  ///< a file for the picture of the fit
   bool force = false;                    ///< as in `RunOptions`

@@ -47,7 +47,7 @@ Constants fitted_constants(const StudyObjective& objective, const std::optional<
   if (fit.status == Status::converged) {
     Constants constants = constants_of(objective.study, fit);
     if (!round) return constants;
-    const std::vector<std::string> texts = round_study(objective, fit, *round, checkpoint).best.texts;
+    const std::vector<std::string> texts = round_study(objective, fit, *round, {}, checkpoint).best.texts;
     for (std::size_t i = 0; i < texts.size(); ++i) constants[i].second = texts[i];
     return constants;
   }

@@ -92,7 +92,7 @@ std::optional<RoundedContender<Format>> rounded_to(const StudySubject& subject,
   if (!in_format.reason.empty()) return result;
   if (read.rows || (std::same_as<Format, HalfFormat> && read.axes.size() == 1)) {
     result.study.emplace(read, checkpoint);
-    if (result.study->size() == 0) return std::nullopt;
+    if (result.study->places().empty()) return std::nullopt;
     evaluate(read, *result.study, numbers, in_format);
     return result;
   }

@@ -48,6 +48,12 @@ NumberFormat parse_number_format(const std::string& text) {
   throw UserError("--round '" + text + "' is unknown: it must be one of float, half, bfloat16, decimal:N");
 }
 
+NumberFormat parse_evaluated_format(const std::string& text) {
+  for (const auto kind : {NumberFormat::Kind::half, NumberFormat::Kind::single})
+    if (text == to_text(NumberFormat{kind})) return {kind};
+  throw UserError("--evaluate '" + text + "' is unknown: it must be one of half, float");
+}
+
 std::string DecimalLattice::text(std::int64_t index) const {
   if (index == 0) return "0";
   const std::int64_t i = (index < 0 ? -index : index) - 1;

@@ -1,157 +1,126 @@
 #include "fit/rounding/round_study.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <type_traits>
 
-#include "fit/proof/interval_ends.hpp"
 #include "fit/rounding/lattice_search.hpp"
-#include "fit/scalars/integral.hpp"
-#include "fit/study/even_grid.hpp"
-#include "fit/study/largest_error.hpp"
+#include "fit/rounding/study_lattice.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_proof/study_certificate.hpp"
-#include "fit/support/hex_float.hpp"
-#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
-/// The most boxes of a search. An enclosure in 50 digits takes microseconds.
-constexpr long most_boxes_of_studies = 20'000;
+/// The most boxes of a search: a second or two.
+constexpr long most_boxes_of_studies = 200'000;
 
-void require_plain(const StudyObjective& objective, const NumberFormat& format) {
-  const auto refuse = [&](bool is_there, const std::string& why) {
-    if (is_there) throw UserError("--round '" + to_text(format) + "' does not go with " + why);
-  };
-  refuse(format.is_narrow(), "a study: take float or decimal:N");
-  refuse(objective.study.rows != nullptr, "--table: rows are measured, and have no largest error to keep");
-  refuse(integral_depth(error_formula(read_formulas(objective.study))) > 0,
-         "'integral': no enclosure of it is fast enough");
-  refuse(objective.constraints != Constraints{}, "a constraint: rounding would break it");
-  refuse(!objective.study.bounds.empty(), "--bounds: rounding would break them");
-}
-
-/// The steps of the grid of the first places, in one, two and three variables.
-constexpr std::array<int, most_axes> steps_of_grid{16, 4, 2};
-
-/// The constants on a lattice. A box of them is ruled out by an enclosure of the error at places where it is
-/// large; the error of a point is sampled and refined.
-template <std::size_t N, class Lattice>
-class StudyProblem {
- public:
-  StudyProblem(const ReadStudy& study, const Lattice& lattice)
-      : study_(study),
-        lattice_(lattice),
-        error_(tape_of(error_formula(study), formula_inputs(study)), {}),
-        places_(even_grid(study.axes, steps_of_grid.at(study.axes.size() - 1))) {}
-
-  double bound(const LatticeBox<N>& box, double best) {
-    std::vector<Interval> inputs(study_.axes.size());
-    for (std::size_t i = 0; i < N; ++i)
-      inputs.push_back(span_of(lattice_.value(box.lower[i]), lattice_.value(box.upper[i])));
-    double least = 0;
-    for (std::size_t i = 0; i < places_.size() && least < best; ++i) {
-      std::transform(places_[i].begin(), places_[i].end(), inputs.begin(),
-                     [](double x) { return Interval(x); });
-      error_.run(inputs);
-      const Interval& error = error_.output(0);
-      if (is_bounded(error)) least = std::max(least, smallest_magnitude_in(error));
-      // A place that rules out one box may rule out the next.
-      if (least >= best) std::swap(places_[i], places_[i / 2]);
-    }
-    return least;
-  }
-
-  double error(const LatticePoint<N>& point, double) {
-    std::vector<double> parameters;
-    for (const std::int64_t index : point) parameters.push_back(lattice_.value(index));
-    const StudyExtremum worst = largest_weighted_error(study_, parameters);
-    if (std::ranges::find(places_, worst.at) == places_.end()) places_.insert(places_.begin(), worst.at);
-    return worst.magnitude;
-  }
-
- private:
-  const ReadStudy& study_;
-  Lattice lattice_;
-  TapeProgram<Interval> error_;
-  std::vector<std::vector<double>> places_;
+/// What all formats share.
+struct RoundingTask {
+  const StudyObjective& objective;
+  const StudyFit& fit;
+  const std::vector<double>& published;
+  NumberFormat format;
+  std::string option;  ///< "--round 'half'"
+  ReadStudy study;
+  const Checkpoint& checkpoint;
 };
 
-/// A set of constants with the proven bound of its error.
-RoundedStudySet assessed(const StudyObjective& objective, const ReadStudy& study, std::vector<double> values,
-                         std::vector<std::string> texts, const Checkpoint& checkpoint) {
-  StudySubject subject{objective.study, {}};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    subject.parameters.emplace_back(study.parameters[i], hex_text(values[i]));
-  const double width = std::max(1e-6, usual_study_width(study.axes.size()));
-  const StudyCertificate proof = certify_study(subject, width, checkpoint).certificate;
-  return {std::move(values), std::move(texts), proof.upper, proof.attained};
-}
-
-template <std::size_t N, class Lattice>
-RoundedStudy round_on(const Lattice& lattice, const StudyObjective& objective, const ReadStudy& study,
-                      const StudyFit& fit, const NumberFormat& format, const Checkpoint& checkpoint) {
+/// Searches a lattice. `assess` adds its errors to a set.
+template <std::size_t N, class Lattice, class Problem, class Assess>
+RoundedStudy searched(const RoundingTask& asked, const Lattice& lattice, Problem& problem,
+                      const Assess& assess) {
   const auto point_of = [&](const std::vector<double>& values) {
     LatticePoint<N> point;
-    for (std::size_t i = 0; i < N; ++i) {
-      point[i] = lattice.nearest(values[i]);
-      if (std::abs(point[i]) > lattice.last())
-        throw UserError("--round '" + to_text(format) + "': " + study.parameters[i] + " = " +
-                        decimal(values[i], 6) + " overflows: the largest is " + largest_text(lattice));
-    }
+    std::ranges::copy(indices_of(lattice, values, asked.study.parameters, asked.option), point.begin());
     return point;
   };
-  std::vector<LatticePoint<N>> starts{point_of(fit.parameters)};
-  if (objective.norm == Norm::least_squares && study.axes.size() == 1) {
-    StudyObjective minimax = objective;
-    minimax.norm = Norm::minimax;
-    const StudyFit nearer = fit_study(minimax, checkpoint);
-    if (nearer.status == Status::converged) starts.push_back(point_of(nearer.parameters));
-  }
-  StudyProblem<N, Lattice> problem(study, lattice);
-  const auto best = search_format<N>(lattice_problem<N>(problem), lattice.last(), starts, {}, format,
-                                     most_boxes_of_studies, checkpoint);
-  const auto set_at = [&](const LatticePoint<N>& point) {
-    std::vector<double> values;
-    std::vector<std::string> texts;
-    for (const std::int64_t index : point) {
-      values.push_back(lattice.value(index));
-      texts.push_back(shortest(lattice, index));
-    }
-    return assessed(objective, study, values, texts, checkpoint);
+  const auto set_of = [&](const LatticePoint<N>& point) {
+    RoundedStudySet set = set_at(lattice, point);
+    assess(set);
+    return set;
   };
-  return {format, set_at(best.point), set_at(starts.front()), best.is_proven, best.searched, best.evaluated};
+  // Next to a pole there may be no bound.
+  const auto start_at = [&](const LatticePoint<N>& point) {
+    try {
+      return set_of(point);
+    } catch (const CheckFailed&) {
+      RoundedStudySet set = set_at(lattice, point);
+      set.max_error = HUGE_VAL;
+      return set;
+    }
+  };
+  std::vector<LatticePoint<N>> starts;
+  for (const auto& values : fitted_values(asked.objective, asked.fit, asked.checkpoint))
+    starts.push_back(point_of(values));
+  if (!asked.published.empty()) starts.insert(starts.begin() + 1, point_of(asked.published));
+  const auto best = search_format<N>(lattice_problem<N>(problem), lattice.last(), starts, {}, asked.format,
+                                     most_boxes_of_studies, asked.checkpoint);
+  RoundedStudy result{.format = asked.format,
+                      .best = set_of(best.point),
+                      .naive = start_at(starts.front()),
+                      .is_proven = best.is_proven,
+                      .searched = best.searched,
+                      .evaluated = best.evaluated};
+  if (!asked.published.empty()) result.published = start_at(starts[1]);
+  return result;
+}
+
+/// `searched` for the number of the parameters of the study.
+template <std::size_t N = 1, class... Rest>
+RoundedStudy searched_for_all(const RoundingTask& asked, Rest&&... rest) {
+  const std::size_t count = asked.study.parameters.size();
+  if constexpr (N > most_rounded_parameters) {
+    throw UserError(asked.option + " takes at most " + std::to_string(most_rounded_parameters) +
+                    " parameters: the form has " + std::to_string(count));
+  } else {
+    return count == N ? searched<N>(asked, rest...) : searched_for_all<N + 1>(asked, rest...);
+  }
+}
+
+template <class Format>
+RoundedStudy round_to_narrow(const RoundingTask& asked) {
+  if (asked.study.axes.size() > 1)
+    throw UserError(asked.option + " takes one variable: take float or decimal:N for " +
+                    std::to_string(asked.study.axes.size()));
+  auto in_format = study_in<Format>(asked.study, asked.option, asked.checkpoint);
+  NarrowStudyProblem<Format> problem(asked.study, in_format);
+  RoundedStudy result = searched_for_all(asked, BinaryLattice<Format>{}, problem, [&](RoundedStudySet& set) {
+    add_errors(set, in_format, asked.checkpoint);
+  });
+  if (!std::isfinite(result.best.max_error))
+    throw CheckFailed(asked.option + ": no constants were found whose error is finite at " +
+                      asked.study.axes.front().variable + " = " + decimal(result.best.at.front(), 6));
+  return result;
 }
 
 template <class Lattice>
-RoundedStudy round_to(const Lattice& lattice, const StudyObjective& objective, const StudyFit& fit,
-                      const NumberFormat& format, const Checkpoint& checkpoint) {
-  const ReadStudy study = read_study(objective.study);
-  switch (study.parameters.size()) {
-    case 1:
-      return round_on<1>(lattice, objective, study, fit, format, checkpoint);
-    case 2:
-      return round_on<2>(lattice, objective, study, fit, format, checkpoint);
-    case 3:
-      return round_on<3>(lattice, objective, study, fit, format, checkpoint);
-    case most_rounded_parameters:
-      return round_on<most_rounded_parameters>(lattice, objective, study, fit, format, checkpoint);
-    default:
-      throw UserError("--round '" + to_text(format) + "' takes at most " +
-                      std::to_string(most_rounded_parameters) + " parameters: the form has " +
-                      std::to_string(study.parameters.size()));
-  }
+RoundedStudy round_to_wide(const RoundingTask& asked, const Lattice& lattice) {
+  RealStudyProblem<Lattice> problem(asked.study, lattice, [&](const std::vector<double>& values) {
+    return has_bound(asked.objective, asked.study, values, asked.checkpoint);
+  });
+  const bool is_float = asked.format.kind == NumberFormat::Kind::single;
+  return searched_for_all(asked, lattice, problem, [&](RoundedStudySet& set) {
+    add_proven_errors(set, asked.objective, asked.study, is_float, asked.checkpoint);
+  });
 }
 
 }  // namespace
 
 RoundedStudy round_study(const StudyObjective& objective, const StudyFit& fit, const NumberFormat& format,
-                         const Checkpoint& checkpoint) {
-  require_plain(objective, format);
-  if (format.kind == NumberFormat::Kind::single)
-    return round_to(BinaryLattice<FloatFormat>{}, objective, fit, format, checkpoint);
-  return round_to(DecimalLattice{format.digits}, objective, fit, format, checkpoint);
+                         const std::vector<double>& published, const Checkpoint& checkpoint) {
+  const RoundingTask asked{
+      objective, fit, published, format, "--round '" + to_text(format) + "'", read_study(objective.study),
+      checkpoint};
+  require_plain(objective, format.is_narrow() ? asked.study.form : error_formula(asked.study), asked.option);
+  switch (format.kind) {
+    case NumberFormat::Kind::half:
+      return round_to_narrow<HalfFormat>(asked);
+    case NumberFormat::Kind::bfloat16:
+      return round_to_narrow<Bfloat16Format>(asked);
+    case NumberFormat::Kind::single:
+      return round_to_wide(asked, BinaryLattice<FloatFormat>{});
+    default:
+      return round_to_wide(asked, DecimalLattice{format.digits});
+  }
 }
 
 }  // namespace shadefit

@@ -27,8 +27,9 @@ std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants)
 template <class Format>
 class RoundingOnBoxes {
  public:
-  RoundingOnBoxes(const ReadStudy& study, const Constants& constants)
-      : form_(tape_of(study.form, formula_inputs(study)), rounded_constants<Format>(constants)),
+  RoundingOnBoxes(const ReadStudy& study, const Constants& constants, const GpuModel* gpu)
+      : gpu_(gpu),
+        form_(tape_of(study.form, formula_inputs(study)), rounded_constants<Format>(constants)),
         scale_(tape_of(error_factor(study), node_variables(study)), {}) {
     for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
   }
@@ -38,13 +39,14 @@ class RoundingOnBoxes {
   double bound_on(const StudyBox& box) {
     const std::vector<Interval> numbers = numbers_on(box, ranges_);
     std::vector<RunningNarrow<Format>> operands;
-    for (const Interval& x : numbers) operands.push_back(RunningNarrow<Format>::exact(x));
+    for (const Interval& x : numbers) operands.push_back(RunningNarrow<Format>::exact(x, gpu_));
     form_.run(operands);
     scale_.run(numbers);
     return largest_magnitude_in(Interval(form_.output(0).error) * scale_.output(0));
   }
 
  private:
+  const GpuModel* gpu_;
   std::vector<Domain> ranges_;
   TapeProgram<RunningNarrow<Format>> form_;
   TapeProgram<Interval> scale_;
@@ -91,15 +93,18 @@ double bound_on_boxes(RoundingOnBoxes<Format> rounding, const Checkpoint& checkp
 }  // namespace
 
 template <class Format>
-double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoint, std::size_t box_limit) {
+double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoint, std::size_t box_limit,
+                         const GpuModel* gpu) {
   const ReadStudy study = read_formulas(subject.study);
   // An integral stands for a sum, and in intervals that sum does not enclose it.
   if (integral_depth(study.form) > 0 || integral_depth(error_factor(study)) > 0)
     return std::numeric_limits<double>::infinity();
-  return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters), checkpoint, box_limit);
+  return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters, gpu), checkpoint, box_limit);
 }
 
-template double bound_of_rounding<FloatFormat>(const StudySubject&, const Checkpoint&, std::size_t);
-template double bound_of_rounding<HalfFormat>(const StudySubject&, const Checkpoint&, std::size_t);
+template double bound_of_rounding<FloatFormat>(const StudySubject&, const Checkpoint&, std::size_t,
+                                               const GpuModel*);
+template double bound_of_rounding<HalfFormat>(const StudySubject&, const Checkpoint&, std::size_t,
+                                              const GpuModel*);
 
 }  // namespace shadefit

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
+#include "fit/scalars/gpu_model.hpp"
 #include "fit/support/hex_float.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/rounded.hpp"
@@ -19,6 +21,22 @@ std::string error_name(const Study& study) {
                      study.error == Error::relative ? "rel" : "abs");
 }
 
+/// The sets of a study, each with what it is.
+std::vector<std::pair<const char*, const RoundedStudySet*>> sets_of(const RoundedStudy& rounded) {
+  std::vector<std::pair<const char*, const RoundedStudySet*>> sets{
+      {rounded.is_proven ? "best" : "best found", &rounded.best}, {"fitted, rounded", &rounded.naive}};
+  if (rounded.published) sets.emplace_back("published, rounded", &*rounded.published);
+  return sets;
+}
+
+/// Appends a column of optional bounds; not one without any.
+void add_bounds(Table& table, const std::string& column, const std::vector<std::optional<double>>& bounds) {
+  if (std::ranges::none_of(bounds, [](const auto& bound) { return bound.has_value(); })) return;
+  table.columns.push_back(column);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    table.rows[i].push_back(bounds[i] ? at_most(*bounds[i]) : Cell());
+}
+
 Table roundings_table(const std::vector<FittedStudy>& studies,
                       const std::vector<std::optional<RoundedStudy>>& rounded) {
   const FittedStudy& first = studies.front();
@@ -29,23 +47,35 @@ Table roundings_table(const std::vector<FittedStudy>& studies,
     table.columns.push_back(parameter);
     table.columns.push_back(parameter + " hex");
   }
-  table.columns.push_back(error_name(first.asked()) + " at most");
+  table.columns.push_back(error_name(first.asked()));
   for (const StudyRange& range : first.asked().over) table.columns.push_back("at " + range.variable);
+  std::vector<std::optional<double>> on_gpu, codes;
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (!rounded[i]) continue;
-    const auto add = [&](const char* what, const RoundedStudySet& set) {
+    for (const auto& [what, set] : sets_of(*rounded[i])) {
       std::vector<Cell>& row = table.rows.emplace_back();
       for (const auto& [constant, value] : studies[i].asked().given) row.emplace_back(value);
       row.emplace_back(what);
-      for (std::size_t k = 0; k < set.values.size(); ++k)
-        row.insert(row.end(), {set.texts[k], hex_text(set.values[k])});
-      row.push_back(at_most(set.max_error));
-      for (const double place : set.at) row.emplace_back(Number{place, 6});
-    };
-    add(rounded[i]->is_proven ? "best" : "best found", rounded[i]->best);
-    add("fitted, rounded", rounded[i]->naive);
+      for (std::size_t k = 0; k < set->values.size(); ++k)
+        row.insert(row.end(), {set->texts[k], hex_text(set->values[k])});
+      row.push_back(at_most(set->max_error));
+      for (std::size_t k = 0; k < first.asked().over.size(); ++k)
+        row.push_back(set->at.empty() ? Cell() : Number{set->at[k], 6});
+      on_gpu.push_back(set->gpu_bound);
+      codes.push_back(set->srgb_codes);
+    }
   }
+  add_bounds(table, "on a GPU at most", on_gpu);
+  add_bounds(table, "8-bit sRGB codes", codes);
   return table;
+}
+
+/// The meaning of `max_error` of rounded constants.
+std::string meaning_of_error(const RoundedStudy& rounded) {
+  if (!rounded.best.real_error)
+    return "every operation rounded, at every " + to_text(rounded.format) + " of the range";
+  if (!rounded.best.rounding_error) return "proven, of the form in real numbers";
+  return "a proven bound: of the form in real numbers, and of the rounding of each operation in float";
 }
 
 std::string objective_name(const FittedStudy& study) {
@@ -61,10 +91,13 @@ std::string study_roundings_text(const std::vector<FittedStudy>& studies,
                                  const Terminal& terminal) {
   std::vector<std::string> said;
   for (const auto& one : rounded) {
-    if (one) said.push_back(meaning_of_best(*one));
+    if (!one) continue;
+    said.push_back(fmt::format("Max error: {}.", meaning_of_error(*one)));
+    if (one->best.gpu_bound) said.push_back(fmt::format("On a GPU: {}.", gpu_assumption));
+    said.push_back(meaning_of_best(*one, one->best.rounding_error ? " by their error in real numbers" : ""));
   }
   return "\n" + write_console(roundings_table(studies, rounded), Precision::report, terminal) +
-         "Max error: proven, of the form in real numbers.\n" + each_once(said);
+         each_once(said);
 }
 
 Json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded) {
@@ -75,14 +108,21 @@ Json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded) 
                 {"decimal", json_object(study.fit.names, set.texts)},
                 {"hex", json_object(study.fit.names, set.values, hex_text)},
                 {"max_error", set.max_error},
-                {"at", at}};
+                {"at", at},
+                {"real_error", optional_json(set.real_error)},
+                {"rounding_error", optional_json(set.rounding_error)},
+                {"srgb_codes", optional_json(set.srgb_codes)},
+                {"gpu_bound", optional_json(set.gpu_bound)}};
   };
   Json json{{"format", to_text(rounded.format)}};
   json.update(set_json(rounded.best));
   json["naive"] = set_json(rounded.naive);
+  json["published"] = rounded.published ? set_json(*rounded.published) : Json();
   json["proven"] = rounded.is_proven;
   json["searched"] = rounded.searched;
   json["tried"] = rounded.evaluated;
+  json["error_is"] = meaning_of_error(rounded);
+  json["gpu_model"] = rounded.best.gpu_bound ? Json(gpu_assumption) : Json();
   return json;
 }
 

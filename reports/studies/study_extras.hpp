@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/rounding/round_study.hpp"
+#include "fit/rounding/rounded_set.hpp"
 #include "fit/verdicts/study_sensitivity.hpp"
 #include "reports/studies/study_rows.hpp"
 #include "reports/table/writers.hpp"
@@ -20,7 +20,7 @@ std::string study_roundings_text(const std::vector<FittedStudy>& studies,
                                  const std::vector<std::optional<RoundedStudy>>& rounded,
                                  const Terminal& terminal);
 
-/// One of them as an object, for the `rounded` of a fit's JSON.
+/// One of them as an object, for the `rounded` or `evaluated` of a fit's JSON.
 nlohmann::ordered_json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded);
 
 /// For a terminal: digits and intervals of each constant, all constants together, other objectives.

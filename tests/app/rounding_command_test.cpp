@@ -65,6 +65,59 @@ TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
   EXPECT_EQ(sweep.back()["rounded_reason"], "exponent 1e+06 is not a number of half: the largest is 65504");
 }
 
+const std::vector<std::string> pair_as_study{"fit",    "--target", "(1-c)^5", "--form", "exp2((a c + b) c)",
+                                             "--over", "c=0:1"};
+
+std::vector<std::string> pair_with(const std::vector<std::string>& options) {
+  std::vector<std::string> words = pair_as_study;
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
+}
+
+// A formula that is read has the answers of the one that is compiled in.
+TEST(FitRound, OfAStudyIsThatOfTheFamily) {
+  for (const char* format : {"half", "bfloat16", "float"}) {
+    const nlohmann::json study = json_of(pair_with({"--round", format}))["rounded"];
+    const nlohmann::json family = json_of({"fit", "fresnel-quadratic", "--round", format})["rounded"];
+    for (const char* same : {"decimal", "hex", "searched", "proven", "srgb_codes", "gpu_model"})
+      EXPECT_EQ(study[same], family[same]) << format << " " << same;
+    for (const char* near : {"gpu_bound", "real_error", "rounding_error"}) {
+      ASSERT_EQ(study[near].is_null(), family[near].is_null()) << format << " " << near;
+      if (family[near].is_null()) continue;
+      EXPECT_NEAR(study[near].get<double>() / family[near].get<double>(), 1, 1e-6) << format << " " << near;
+    }
+    EXPECT_NEAR(study["max_error"].get<double>() / family["max_abs_error"].get<double>(), 1, 1e-8) << format;
+  }
+}
+
+TEST(FitEvaluate, SaysWhatItFound) {
+  const nlohmann::json evaluated = json_of(pair_with({"--evaluate", "half"}))["evaluated"];
+  EXPECT_EQ(evaluated["format"], "half");
+  EXPECT_EQ(evaluated["proven"], false);
+  EXPECT_LT(evaluated["max_error"], evaluated["naive"]["max_error"]);
+  const std::string text = run_command_line(pair_with({"--evaluate", "half"})).out;
+  expect_has(text, "Max error: every operation rounded, at every half of the range.");
+  expect_has(text, "reach from the fits, not proven.");
+  // a published set is a start and a row
+  expect_has(run_command_line({"fit", "acos-linear", "--evaluate", "half"}).out, "published, rounded");
+}
+
+TEST(FitEvaluate, BadInput) {
+  expect_refusal(pair_with({"--evaluate", "bfloat16"}),
+                 "--evaluate 'bfloat16' is unknown: it must be one of half, float");
+  expect_refusal({"fit", "fresnel-quadratic", "--evaluate", "half"},
+                 "--evaluate 'half' belongs to a study or --form: for a family take --round");
+  expect_refusal(
+      {"fit", "--table", SHADEFIT_SOURCE_DIR "/docs/examples/fog.csv", "--over", "x", "--form",
+       "a exp(-b x) + d", "--evaluate", "half"},
+      "--evaluate 'half' does not go with --table: rows are measured, and have no largest error to keep");
+  expect_refusal(pair_with({"--evaluate", "half", "--exact-at", "0", "--norm", "minimax"}),
+                 "--evaluate 'half' does not go with a constraint: rounding would break it");
+  const Outcome both = run_command_line(pair_with({"--evaluate", "half", "--round", "half"}));
+  EXPECT_EQ(both.exit_code, 2);
+  expect_has(both.err, "excludes");
+}
+
 TEST(FitRound, BadInput) {
   const auto with = [](const std::string& format) {
     return std::vector<std::string>{"fit", "fresnel-quadratic", "--round", format};

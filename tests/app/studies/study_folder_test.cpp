@@ -75,7 +75,8 @@ TEST_F(StudyFolder, HasTheDigitsThatMatter) {
   EXPECT_EQ(fit["sensitivity"]["contracts"].size(), 4u);
   const std::string said =
       run_command_line({"fit", path("line.toml"), "--round", "float", "--sensitivity"}).out;
-  expect_has(said, "\nBest: proven, among all finite numbers of the format.\n");
+  expect_has(said,
+             "\nBest: proven, among all finite numbers of the format by their error in real numbers.\n");
   expect_has(said, "\nthe same form under");
 }
 

@@ -196,7 +196,7 @@ double error_in_half(double a, double b) {
 
 TEST(StudyInFormat, IsTheLoopOverEveryHalf) {
   StudyInFormat<HalfFormat> study(read_study(pair_of_halves));
-  EXPECT_EQ(study.size(), 0x3c01U);
+  EXPECT_EQ(study.places().size(), 0x3c01U);
   for (const auto& [a, b] : {std::pair{-5.555, -6.984}, std::pair{-5.492, -7.008}}) {
     const std::array constants{static_cast<double>(round_to_half(a)), static_cast<double>(round_to_half(b))};
     // pow in double rounds otherwise than a product

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "approx/lobe.hpp"
 #include "approx/phong_blinn.hpp"
 #include "fit/rounding/lattice.hpp"
+#include "fit/scalars/functions.hpp"
 #include "fit/scalars/multiprecision.hpp"
 
 namespace shadefit {
@@ -127,6 +129,44 @@ TEST(OutwardArithmetic, EnclosesRealResults) {
   EXPECT_EQ(large.lower(), std::numeric_limits<double>::max());
 }
 
+// Every function of a formula, at numbers inside intervals of many sizes: those of a format, and of doubles.
+TEST(RoundedInterval, ContainsWhatEveryFunctionReturns) {
+  using Half = NarrowResult<HalfFormat>;
+  using I = RoundedInterval<CorrectArithmetic<HalfFormat>>;
+  using Outward = RoundedInterval<OutwardArithmetic>;
+  const BinaryLattice<HalfFormat> lattice;
+  long bounded = 0;
+  for (std::size_t f = 0; f < functions_of_one<Half>.size(); ++f) {
+    for (const double centre : {-40.0, -3.2, -1.0, -0.7, -1e-4, 0.0, 1e-4, 0.3, 0.999, 1.57, 4.0, 100.0}) {
+      for (const std::int64_t steps : {0, 1, 10, 300}) {
+        const std::int64_t i = lattice.nearest(centre);
+        const I box = functions_of_one<I>[f](I(lattice.value(i - steps), lattice.value(i + steps)));
+        const Outward real =
+            functions_of_one<Outward>[f](Outward(lattice.value(i - steps), lattice.value(i + steps)));
+        bounded += std::isfinite(box.lower()) && std::isfinite(box.upper()) ? 1 : 0;
+        for (std::int64_t k = -steps; k <= steps; k += std::max<std::int64_t>(1, steps / 7)) {
+          const double x = lattice.value(i + k);
+          const auto in_half = static_cast<double>(functions_of_one<Half>[f](Half(x)));
+          const double in_double = functions_of_one<double>[f](x);
+          const auto name = functions_of_one<Half>[f].name;
+          EXPECT_TRUE(std::isnan(in_half) || contains(box, in_half)) << name << " of " << x;
+          EXPECT_TRUE(std::isnan(in_double) || contains(real, in_double)) << name << " of " << x;
+        }
+      }
+    }
+  }
+  EXPECT_GT(bounded, 800) << "of 1056";
+}
+
+TEST(OutwardArithmetic, HasExactWholeNumbers) {
+  using I = RoundedInterval<OutwardArithmetic>;
+  EXPECT_EQ(constant<I>("1").lower(), 1);
+  EXPECT_EQ(constant<I>("999999999999999").upper(), 999999999999999);
+  for (const char* text : {"0.1", "1.5", "1e3", "9007199254740993"})
+    EXPECT_LT(constant<I>(text).lower(), constant<I>(text).upper()) << text;
+  EXPECT_EQ(tan(I(1.5, 1.6)).upper(), std::numeric_limits<double>::infinity()) << "a pole";
+}
+
 /// exp2 of a float as a GPU may compute it: that many ulps off, a subnormal flushed or not.
 double gpu_exp2(double x, int ulps, bool is_flushed) {
   auto y = static_cast<float>(std::exp2(x));
@@ -160,6 +200,18 @@ TEST(GpuArithmetic, ContainsWhatAGpuMayReturn) {
     }
   }
   EXPECT_TRUE(contraction_matters);
+}
+
+// (x + y) + 1 may become (x + 1) + y, which rounds otherwise. A variable is not moved.
+TEST(GpuArithmetic, MovesNumbersIntoSums) {
+  using I = RoundedInterval<GpuArithmetic<HalfFormat>>;
+  using Half = NarrowResult<HalfFormat>;
+  const double x = 0x1p-11, y = 0x1p-11;  // half an ulp of 1 each: x + 1 and then + y stay at 1
+  const auto moved = static_cast<double>((Half(x) + Half(1)) + Half(y));
+  EXPECT_EQ(moved, 1);
+  EXPECT_TRUE(contains((I(x) + I(y)) + integer<I>(1), moved));
+  EXPECT_FALSE(contains((I(x) + I(y)) + I(1), moved));
+  EXPECT_EQ(asin(I(0.5)).upper(), std::numeric_limits<double>::infinity()) << "nothing is known";
 }
 
 TEST(GpuArithmetic, IsFourUlpsWideAndFlushesSubnormals) {
