@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/forms/pair_for_exp2.hpp"
 #include "fit/fit.hpp"
-#include "fit/pair_for_exp2.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/verdicts/refit.hpp"
 

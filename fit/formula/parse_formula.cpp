@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "fit/formula/formula_text.hpp"
+#include "fit/formula/named_formulas.hpp"
 #include "fit/formula/shader_calls.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/support/nearest.hpp"
@@ -340,6 +341,9 @@ class FormulaReader {
     if (name == "integral" && is_before_parenthesis && names_.takes_integrals) return integral_of(start);
     if (const Truth* truth = find_truth(name); truth && is_before_parenthesis && names_.takes_integrals)
       return use(std::string(name), definition_of(*truth));
+    if (const NamedFormula* named =
+            is_before_parenthesis && names_.takes_integrals ? find_formula(name) : nullptr)
+      return use(std::string(name), named->definition);
     if (std::find(bound_.begin(), bound_.end(), name) != bound_.end()) return Symbolic::variable(name);
     if (std::find(past_.begin(), past_.end(), name) != past_.end())
       text_.fail("'" + std::string(name) + "' inside its integral alone", start);
@@ -456,8 +460,9 @@ class FormulaReader {
   [[noreturn]] void refuse(std::string_view name, std::size_t start) const {
     std::vector<std::string> known = function_names();
     for (const auto& [defined, _] : names_.definitions) known.push_back(defined);
-    for (const Truth& truth : truths()) {
-      if (names_.takes_integrals) known.emplace_back(truth.name);
+    if (names_.takes_integrals) {
+      for (const Truth& truth : truths()) known.emplace_back(truth.name);
+      for (const NamedFormula& named : named_formulas()) known.emplace_back(named.name);
     }
     const bool is_call = text_.at(start + name.size()) == '(';
     if (names_.takes_parameters && (names_.parameters.empty() || may_be_parameter(name))) {

@@ -25,8 +25,8 @@ struct FormulaNames {
   /// Whether any other name is a parameter. Two or more letters directly before a parenthesis are not a
   /// parameter but an unknown function.
   bool takes_parameters = false;
-  bool takes_integrals =
-      false;  ///< whether `integral(body, t, lower, upper)` is read, and fit/truths/truths.hpp
+  bool takes_integrals = false;  ///< whether `integral(body, t, lower, upper)`, fit/truths/truths.hpp and
+                                 ///< named_formulas.hpp are read
   std::vector<std::string> parameters = {};  ///< then no other name is a parameter; empty: any may be
 };
 

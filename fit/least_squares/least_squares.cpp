@@ -77,12 +77,6 @@ Optimum solve_free(const LeastSquaresProblem& problem, const Sampling& sampling,
 
 }  // namespace
 
-int correct_digits(long double relative_step) {
-  if (std::isnan(relative_step)) return 0;
-  const long double digits = std::floor(-std::log10(relative_step));  // infinite for a step of 0
-  return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
-}
-
 Sampling::Sampling(const Metric& metric_asked, const Shape& shape_of_family,
                    std::span<const std::string_view> parameters)
     : metric(metric_asked), scale(metric), given(given_parameters(parameters, metric.constraints)) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "fit/families/admissible.hpp"
 #include "fit/least_squares/descent.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/least_squares/error_scale.hpp"
 #include "fit/least_squares/sampled_errors.hpp"
 #include "fit/least_squares/sampled_problem.hpp"
@@ -28,15 +28,6 @@
 /// long double. That step must be negligible: its size gives the digits of the fit.
 namespace shadefit {
 
-static_assert(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits,
-              "the digits of a fit are measured in an arithmetic wider than double");
-
-/// Relative. Rounding a parameter to double costs up to 1.1e-16. 1e-14 is promised, and the next larger rule
-/// gives more.
-inline constexpr double settled = 2e-15;
-/// The most digits that are claimed: 15 would rest on the last bit of a double.
-inline constexpr int most_digits = 14;
-
 struct Optimum {
   std::vector<double> parameters;  ///< all of the family, in its order
   Status status = Status::not_converged;
@@ -45,9 +36,6 @@ struct Optimum {
   double rms_error = 0;  ///< sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2)
   std::string_view why = {};  ///< where it did not converge, in words
 };
-
-/// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
-int correct_digits(long double relative_step);
 
 /// How a family is sampled under a metric.
 struct Sampling {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/minimax/contacts.hpp"
 
 namespace shadefit {

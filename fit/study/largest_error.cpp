@@ -44,10 +44,6 @@ std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, 
   return places;
 }
 
-Tape difference_of(const ReadStudy& study) {
-  return tape_of(study.form - study.target, formula_inputs(study));
-}
-
 /// The height of a curve above 0, or of its finite values above a ground.
 class Magnitude {
  public:
@@ -197,7 +193,7 @@ class Grid {
 std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
                                          const std::vector<std::vector<StudyEdge>>& edges,
                                          const std::vector<double>& parameters, double share) {
-  const Symbolic magnitude = Symbolic::function("abs", {study.form - study.target});
+  const Symbolic magnitude = Symbolic::function("abs", {difference_of(study)});
   return tops_of(tape_of(magnitude, formula_inputs(study)), std::nullopt, edges, parameters, share);
 }
 
@@ -229,11 +225,12 @@ bool is_rounding(const ReadStudy& study, const std::vector<std::vector<StudyEdge
                  const std::vector<double>& parameters, const StudyExtremum& error) {
   const std::vector<long double> wide(parameters.begin(), parameters.end()),
       at(error.at.begin(), error.at.end());
-  TapeProgram<long double> difference(difference_of(study), wide);
+  TapeProgram<long double> difference(tape_of(difference_of(study), formula_inputs(study)), wide);
   difference.run(at);
   if (!(std::abs(std::abs(difference.output(0)) - error.magnitude) > error.magnitude / 2)) return false;
   ReadStudy target = study;
   target.form = Symbolic::number("0");
+  target.residual.reset();
   double largest = 0;
   for (const StudyExtremum& top : tops_of_error(target, edges, parameters, 1))
     largest = std::max(largest, top.magnitude);
@@ -265,6 +262,7 @@ ReadStudy weighted_error_of(const ReadStudy& study) {
   ReadStudy weighted = study;
   weighted.form = error_formula(study);
   weighted.target = Symbolic::number("0");
+  weighted.residual.reset();
   return weighted;
 }
 

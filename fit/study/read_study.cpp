@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "fit/formula/definition.hpp"
 #include "fit/formula/formula_text.hpp"
@@ -235,6 +236,50 @@ ReadFormula read_form(const Study& study, FormulaNames names) {
   return form;
 }
 
+/// Refuses a residual that is not form - target, by 50 digits at places and parameters without a relation.
+void require_residual(const ReadStudy& study, const Symbolic& residual) {
+  constexpr int places = 16;
+  for (int i = 0; i < places; ++i) {
+    // Multiples of irrational numbers, without their whole parts, are far from each other.
+    const auto share = [i](std::size_t j) {
+      const double x = (i + 0.5) * std::sqrt(static_cast<double>(j) + 2);
+      return x - std::floor(x);
+    };
+    const auto at = [&](const std::string& name) -> Decimal50 {
+      std::size_t j = 0;
+      for (const StudyAxis& axis : study.axes) {
+        if (axis.variable == name)
+          return Decimal50(axis.lower) + Decimal50(share(j)) * (Decimal50(axis.upper) - axis.lower);
+        ++j;
+      }
+      for (const std::string& parameter : study.parameters) {
+        if (parameter == name) return Decimal50(share(j) - 0.5);
+        ++j;
+      }
+      return Decimal50(1);
+    };
+    const Decimal50 form = in_50_digits(study.form, at), target = in_50_digits(study.target, at),
+                    given = in_50_digits(residual, at);
+    // The difference of two numbers of 50 digits has this much of their rounding.
+    const Decimal50 rounding = Decimal50("1e-40") * (abs(form) + abs(target));
+    if (isfinite(form) && isfinite(target) && !(abs(given - (form - target)) <= rounding))
+      throw StudyFault({"residual"}, quoted(study.axes.front().variable + " = " +
+                                            to_text(static_cast<double>(at(study.axes.front().variable)))) +
+                                         ": it is " + to_text(static_cast<double>(given)) +
+                                         ", but form - target is " +
+                                         to_text(static_cast<double>(Decimal50(form - target))));
+  }
+}
+
+/// The formula of form - target.
+Symbolic read_residual(const Study& study, FormulaNames names, const ReadStudy& read_study) {
+  names.takes_parameters = true;
+  names.parameters = read_study.parameters;
+  const Symbolic residual = read({"residual"}, study.residual, names).formula;
+  require_residual(read_study, residual);
+  return residual;
+}
+
 void require_enough_rows(const ReadStudy& study) {
   const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
   if (rows < parameters)
@@ -261,6 +306,21 @@ std::string density_of(const std::string& text, const std::string& variable) {
 std::string to_text(const ParameterBounds& bounds) {
   const auto end = [](double value) { return std::isfinite(value) ? to_text(value) : ""; };
   return bounds.parameter + "=" + end(bounds.lower) + ":" + end(bounds.upper);
+}
+
+Symbolic difference_of(const ReadStudy& study) {
+  return study.residual ? *study.residual : study.form - study.target;
+}
+
+ReadStudy with_held(ReadStudy study, const std::string& parameter, double value) {
+  const auto value_of = [&](const std::string& name) {
+    return name == parameter ? Symbolic::number(to_text(value)) : Symbolic::variable(name);
+  };
+  study.form = evaluate<Symbolic>(study.form, value_of);
+  if (study.residual) study.residual = evaluate<Symbolic>(*study.residual, value_of);
+  std::erase(study.parameters, parameter);
+  std::erase_if(study.bounds, [&](const ParameterBounds& of) { return of.parameter == parameter; });
+  return study;
 }
 
 std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes) {
@@ -300,14 +360,12 @@ ReadStudy read_formulas(const Study& study) {
   FormulaNames of_weight = names;
   of_weight.variables = node_variables(result);
   result.weight = read({"--weight"}, study.weight, of_weight).formula;
+  if (!study.residual.empty()) result.residual = read_residual(study, names, result);
 
   for (const Held& held : study.held) {
     if (!contains(result.parameters, held.parameter))
       throw UserError("--fix '" + held.parameter + "': the form has no such parameter");
-    std::erase(result.parameters, held.parameter);
-    result.form = evaluate<Symbolic>(result.form, [&](const std::string& name) {
-      return name == held.parameter ? Symbolic::number(to_text(held.value)) : Symbolic::variable(name);
-    });
+    result = with_held(std::move(result), held.parameter, held.value);
   }
   for (const ParameterBounds& bounds : study.bounds) {
     if (contains(result.parameters, bounds.parameter)) result.bounds.push_back(bounds);

@@ -120,9 +120,23 @@ struct Approach {
   std::vector<double> direction;  ///< for the distance 1; 0 where an axis takes no part
 };
 
-/// |formula| at a distance from a place. In 50 digits, because a double cannot hold the value near a pole.
+/// A formula at a distance from a place, in a scalar.
+template <class T>
+T value_near(const ReadStudy& study, const Symbolic& formula, const Approach& approach, const T& distance) {
+  return evaluate<T>(formula, [&](const std::string& name) {
+    std::size_t i = 0;
+    while (study.axes[i].variable != name) ++i;
+    return T(T(approach.from[i]) + distance * T(approach.direction[i]));
+  });
+}
+
+/// |formula| at a distance from a place: in 50 digits, if double and long double do not tell it alike.
 Decimal50 size_near(const ReadStudy& study, const Symbolic& formula, const Approach& approach,
                     const Decimal50& distance) {
+  const auto narrow = value_near(study, formula, approach, static_cast<double>(distance));
+  const auto wide = value_near(study, formula, approach, static_cast<long double>(distance));
+  constexpr long double alike = 1e-6L;  // a growth by half is asked for
+  if (wide != 0 && std::abs(narrow - wide) <= alike * std::abs(wide)) return abs(Decimal50(wide));
   return abs(in_50_digits(formula, [&](const std::string& name) {
     std::size_t i = 0;
     while (study.axes[i].variable != name) ++i;
@@ -145,12 +159,14 @@ Decimal50 density_near(const ReadStudy& study, const Approach& approach, const D
 bool is_too_large(const ReadStudy& study, const Symbolic& formula, const Approach& approach, Norm norm) {
   const auto n = std::count_if(approach.direction.begin(), approach.direction.end(),
                                [](double direction) { return direction != 0; });
-  const Decimal50 far("1e-6"), near("1e-12");
+  const Decimal50 far("1e-6"), near("1e-12"), nearest("1e-24");
   const Decimal50 at_far = size_near(study, formula, approach, far),
                   at_near = size_near(study, formula, approach, near);
-  // From one distance to the other a logarithm doubles; what is bounded changes by a share of 1e-6.
+  // From each distance to the next a logarithm doubles; what is bounded changes by a share of 1e-6, but a
+  // lobe may lie between two of them.
   constexpr double grown = 1.5, constant = 0.999;
   if (!(at_near > grown * at_far)) return false;
+  if (!(size_near(study, formula, approach, nearest) > grown * at_near)) return false;
   if (norm == Norm::minimax) return true;
   const Decimal50 square_at_far =
       at_far * at_far * pow(far, static_cast<int>(n)) * density_near(study, approach, far);

@@ -54,6 +54,8 @@ struct Study {
   /// an optimum.
   bool has_only_starts = false;
   std::string weight = "1";  ///< the factor of the error, a formula in the variables
+  /// form - target by a formula that does not cancel; empty: their difference.
+  std::string residual = {};
   Error error = Error::absolute;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< the target, if it is not a formula
   /// The cuts of its only variable (`StudyAxis`), if somebody has looked for them.
@@ -77,7 +79,14 @@ struct ReadStudy {
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< then the target is the variable `value`
   bool has_only_starts = false;
   std::vector<ParameterBounds> bounds = {};  ///< of free parameters, at most one each
+  std::optional<Symbolic> residual = std::nullopt;  ///< form - target, if it is not their difference
 };
+
+/// form - target of a study.
+Symbolic difference_of(const ReadStudy& study);
+
+/// The study with a parameter held at a value.
+ReadStudy with_held(ReadStudy study, const std::string& parameter, double value);
 
 /// The variables of axes.
 std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes);

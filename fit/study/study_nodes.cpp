@@ -22,7 +22,7 @@
 namespace shadefit {
 namespace {
 
-/// How close to a root or a logarithm the nodes go, as in fit/least_squares/weight.cpp.
+/// How close to a root or a logarithm the nodes go.
 constexpr int power_at_root = 8;
 /// A formula of shading has fewer edges. Each adds a panel.
 constexpr std::size_t most_study_edges = 64;
@@ -42,6 +42,23 @@ class HingeCurve {
     values_.front() = x;
     program_.run(values_);
     return program_.output(0);
+  }
+  /// The values at many places.
+  std::vector<double> values(const std::vector<double>& places) const {
+    const Tape& tape = program_.tape();
+    const std::size_t count = places.size();
+    std::vector<std::vector<double>> rows(tape.register_count(), std::vector<double>(count));
+    std::vector<double*> registers;
+    for (auto& row : rows) registers.push_back(row.data());
+    std::vector<std::vector<double>> fixed;
+    for (const double before : std::span(values_).subspan(1)) fixed.emplace_back(count, before);
+    for (const double constant : tape.constants<double>()) fixed.emplace_back(count, constant);
+    std::vector<const double*> table(registers.begin(), registers.end());
+    table.push_back(places.data());
+    for (const auto& row : fixed) table.push_back(row.data());
+    tape.run_over<double>(table, registers, count);
+    const double* first = table[tape.output(0)];
+    return {first, first + count};
   }
   double slope(double x) {
     value(x);
@@ -69,14 +86,14 @@ class HingeCurve {
 
 /// Evenly spaced places, and powers of two towards both ends.
 std::vector<double> places_on(double lower, double upper) {
-  std::vector<double> places{lower, upper};
-  constexpr int count = 512;
-  for (int i = 1; i < count; ++i) places.push_back(lower + (upper - lower) * i / count);
-  for (int i = 10; i < 50; ++i) {
+  constexpr int count = 512, first_power = 10, last_power = 50;
+  std::vector<double> places{lower};
+  for (int i = last_power - 1; i >= first_power; --i)
     places.push_back(lower + (upper - lower) * std::ldexp(1.0, -i));
+  for (int i = 1; i < count; ++i) places.push_back(lower + (upper - lower) * i / count);
+  for (int i = first_power; i < last_power; ++i)
     places.push_back(upper - (upper - lower) * std::ldexp(1.0, -i));
-  }
-  std::sort(places.begin(), places.end());
+  places.push_back(upper);
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
@@ -95,13 +112,10 @@ double bisected(double low, double high, const Predicate& predicate) {
 /// Adds the zeros of a hinge as edges. `part` is the formula of the hinge.
 void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
                   std::vector<StudyEdge>& edges) {
-  const std::vector<double> places = places_on(axis.lower, axis.upper);
-  std::vector<double> values;
+  const std::vector<double> places = places_on(axis.lower, axis.upper), values = part.values(places);
   double largest = 0;
-  for (const double x : places) {
-    values.push_back(part.value(x));
-    if (std::isfinite(values.back())) largest = std::max(largest, std::abs(values.back()));
-  }
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
   const int power = hinge.is_root ? power_at_root : 1;
   // The zero that is nearest by the slope is at the place, up to rounding: 1 + exp(x) is small beside its
   // largest value, but its zero is far.
@@ -112,8 +126,19 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
   };
   if (std::ranges::all_of(values, [](double v) { return v == 0; })) return;
   const auto is_below = [&](double x) { return part.value(x) < 0; };
+  const auto is_nothing = [&](double x) { return part.value(x) == 0; };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == places.size();
+    // Where a part is 0 all over a range, as max(0, x) is, the ends of that range count.
+    const bool is_before_range = i + 1 < places.size() && values[i] == 0 && values[i + 1] == 0;
+    const bool is_after_range = i > 0 && values[i] == 0 && values[i - 1] == 0;
+    if (is_before_range || is_after_range) {
+      if (!is_after_range && i > 0)
+        edges.push_back({bisected(places[i - 1], places[i], is_nothing), power, hinge.is_jump});
+      if (!is_before_range && !is_end)
+        edges.push_back({bisected(places[i], places[i + 1], is_nothing), power, hinge.is_jump});
+      continue;
+    }
     if (is_zero(i) && (hinge.is_root || hinge.is_jump || !is_end))
       edges.push_back({places[i], power, hinge.is_jump});
     if (i == 0 || is_zero(i) || is_zero(i - 1)) continue;
@@ -133,8 +158,37 @@ struct AxisNode {
   long double at, weight;
 };
 
-void append_panel(const StudyAxis& axis, double root, double other, int power, unsigned rule_size,
-                  std::vector<AxisNode>& nodes) {
+/// The density of an axis. Near x = 1, 1/sqrt(1 - x^2) cancels: then it is computed in 50 digits.
+class Density {
+ public:
+  explicit Density(const StudyAxis& axis)
+      : axis_(axis),
+        narrow_(tape_of(axis.density, variables()), {}),
+        wide_(tape_of(axis.density, variables()), {}) {}
+
+  long double at(double root, long double distance) {
+    const long double x = root + distance;
+    narrow_.run(std::array{static_cast<double>(x)});
+    wide_.run(std::array{x});
+    const double narrow = narrow_.output(0);
+    const long double wide = wide_.output(0);
+    // Long double has eleven digits more: what double loses to some ulps, it does not.
+    constexpr long double few_ulps = 8 * std::numeric_limits<double>::epsilon();
+    if (std::abs(narrow - wide) <= few_ulps * std::abs(wide)) return wide;
+    const Decimal50 precise = Decimal50(root) + Decimal50(distance);
+    return static_cast<long double>(in_50_digits(axis_.density, [&](const std::string&) { return precise; }));
+  }
+
+ private:
+  std::vector<std::string> variables() const { return {axis_.variable}; }
+
+  const StudyAxis& axis_;
+  TapeProgram<double> narrow_;
+  TapeProgram<long double> wide_;
+};
+
+void append_panel(const StudyAxis& axis, Density& density_of_axis, double root, double other, int power,
+                  unsigned rule_size, std::vector<AxisNode>& nodes) {
   const long double length = static_cast<long double>(other) - static_cast<long double>(root);
   const bool is_uniform = is_one(axis.density);
   visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
@@ -143,13 +197,10 @@ void append_panel(const StudyAxis& axis, double root, double other, int power, u
     const long double distance = length * lower_power * u;
     long double weight = w * std::abs(length) * static_cast<long double>(power) * lower_power;
     if (!is_uniform) {
-      // In 50 digits: 1/sqrt(1 - x^2) near x = 1 would cancel.
-      const Decimal50 x = Decimal50(root) + Decimal50(distance);
-      const auto density =
-          static_cast<long double>(in_50_digits(axis.density, [&](const std::string&) { return x; }));
+      const long double density = density_of_axis.at(root, distance);
       if (!(density >= 0) || !std::isfinite(density))
         throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
-                        axis.variable + " = " + to_text(static_cast<double>(x)) + " it is " +
+                        axis.variable + " = " + to_text(static_cast<double>(root + distance)) + " it is " +
                         to_text(static_cast<double>(density)));
       weight *= density;
     }
@@ -161,16 +212,17 @@ std::vector<AxisNode> axis_nodes(const StudyAxis& axis, const std::vector<StudyE
                                  unsigned rule_size) {
   std::vector<AxisNode> nodes;
   nodes.reserve(std::size_t{2} * rule_size * (edges.size() - 1));
+  Density density(axis);
   for (std::size_t i = 1; i < edges.size(); ++i) {
     const StudyEdge &left = edges[i - 1], &right = edges[i];
     if (left.power == 1 || right.power == 1) {
       const bool from_right = right.power > 1;
-      append_panel(axis, from_right ? right.at : left.at, from_right ? left.at : right.at,
+      append_panel(axis, density, from_right ? right.at : left.at, from_right ? left.at : right.at,
                    std::max(left.power, right.power), rule_size, nodes);
     } else {
       const double middle = left.at + (right.at - left.at) / 2;
-      append_panel(axis, left.at, middle, left.power, rule_size, nodes);
-      append_panel(axis, right.at, middle, right.power, rule_size, nodes);
+      append_panel(axis, density, left.at, middle, left.power, rule_size, nodes);
+      append_panel(axis, density, right.at, middle, right.power, rule_size, nodes);
     }
   }
   return nodes;

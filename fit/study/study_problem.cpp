@@ -31,15 +31,21 @@ Symbolic weighted(const ReadStudy& study, const Symbolic& error) {
   return is_one(study.weight) ? error : study.weight * error;
 }
 
-/// The error of a form that is 0, up to its sign.
+/// The error of a form that is 0, up to its sign; of a residual its own, where the parameters are 0.
 Symbolic scale_formula(const ReadStudy& study) {
-  return weighted(study, study.error == Error::relative ? Symbolic::number("1") : study.target);
+  const bool is_relative = study.error == Error::relative;
+  if (!study.residual) return weighted(study, is_relative ? Symbolic::number("1") : study.target);
+  const Symbolic residual = evaluate<Symbolic>(*study.residual, [&](const std::string& name) {
+    const bool is_parameter = std::ranges::find(study.parameters, name) != study.parameters.end();
+    return is_parameter ? Symbolic::number("0") : Symbolic::variable(name);
+  });
+  return weighted(study, is_relative ? residual / study.target : residual);
 }
 
 }  // namespace
 
 Symbolic error_formula(const ReadStudy& study) {
-  const Symbolic difference = study.form - study.target;
+  const Symbolic difference = difference_of(study);
   return weighted(study, study.error == Error::relative ? difference / study.target : difference);
 }
 

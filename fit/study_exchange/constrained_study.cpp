@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/least_squares/newton.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/contacts.hpp"

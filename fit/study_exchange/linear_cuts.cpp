@@ -35,7 +35,7 @@ std::vector<LinearCurve> linear_curves(const ReadStudy& study, const Constraints
   };
   const Symbolic error = error_formula(study);
   // The factor of a relative error has the sign of the target: a side is that of the form itself.
-  const Symbolic difference = study.form - study.target;
+  const Symbolic difference = difference_of(study);
   add(Touch::highest, 1, "", error);
   add(Touch::lowest, 1, "", -error);
   if (constraints.one_sided == Side::above) add(Touch::lowest, 0, ">= target", -difference);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/constrained_study.hpp"

@@ -109,6 +109,7 @@ struct EnclosedError::Programs {
 };
 
 ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameters) {
+  if (study.residual) return study;
   const Symbolic with_decimals = evaluate<Symbolic>(study.form, [&](const std::string& name) {
     const auto found = std::ranges::find(parameters, name, &Constants::value_type::first);
     const bool is_decimal =

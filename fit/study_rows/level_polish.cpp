@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/support/decompositions.hpp"
 
 namespace shadefit {

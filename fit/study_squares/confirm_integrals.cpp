@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study_squares/linear_optimum.hpp"

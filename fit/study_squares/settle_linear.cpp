@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/study_squares/settle.hpp"
 

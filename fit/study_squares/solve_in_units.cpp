@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/scalars/likely_sizes.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/support/user_error.hpp"
@@ -92,7 +92,7 @@ StudyFit in_own_units(const ReadStudy& study, const Units& units, StudyFit fit) 
 StudyFit solve_in_units(const ReadStudy& study, const std::vector<Held>& starts, const SolveStudy& solve) {
   // The square of an eighth power of a size nearer to 1 is still a double.
   constexpr double far = 32;
-  if (study.rows || study.axes.size() > 1) return solve(study, starts);
+  if (study.rows || study.axes.size() > 1 || study.residual) return solve(study, starts);
   const Units units = units_of_range(study);
   if (std::ranges::all_of(units, [](const auto& unit) { return std::abs(unit.second) <= far; }))
     return solve(study, starts);

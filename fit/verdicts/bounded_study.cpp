@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study_exchange/constrained_study.hpp"
 #include "fit/study_squares/rules.hpp"
@@ -20,13 +20,7 @@ namespace {
 
 /// The study with parameters held.
 ReadStudy face_of(ReadStudy study, const std::vector<Held>& held) {
-  for (const Held& h : held) {
-    study.form = evaluate<Symbolic>(study.form, [&](const std::string& name) {
-      return name == h.parameter ? Symbolic::number(to_text(h.value)) : Symbolic::variable(name);
-    });
-    std::erase(study.parameters, h.parameter);
-    std::erase_if(study.bounds, [&](const ParameterBounds& of) { return of.parameter == h.parameter; });
-  }
+  for (const Held& h : held) study = with_held(std::move(study), h.parameter, h.value);
   return study;
 }
 

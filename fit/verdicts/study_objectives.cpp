@@ -17,6 +17,7 @@
 #include "fit/study_panels/features.hpp"
 #include "fit/study_panels/limits.hpp"
 #include "fit/study_squares/rules.hpp"
+#include "fit/study_squares/solve_study.hpp"
 #include "fit/study_squares/solve_in_units.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -285,6 +286,16 @@ StudyFit seen_fit(ReadStudy& study, const Solve& solve) {
   return fit;
 }
 
+/// The minimax fit of a form that meets its target but for rounding: no place holds its level, which is 0.
+std::optional<StudyFit> exact_fit(const ReadStudy& study, const std::vector<Held>& starts,
+                                  const Checkpoint& checkpoint) {
+  if (study.rows) return std::nullopt;
+  StudyFit fit = solve_study(study, starts, checkpoint);
+  if (fit.status != Status::converged || fit.max_abs_error.magnitude > 0) return std::nullopt;
+  fit.level = 0;
+  return fit;
+}
+
 }  // namespace
 
 Study with_cuts(Study study) {
@@ -315,9 +326,11 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
   ReadStudy read = read_study(objective.study);
   take_limits(read);
   const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
-    return objective.norm == Norm::minimax
-               ? solve_minimax_study(study, objective.constraints, starts, checkpoint)
-               : solve_constrained_study(study, objective.constraints, starts, checkpoint);
+    if (objective.norm == Norm::least_squares)
+      return solve_constrained_study(study, objective.constraints, starts, checkpoint);
+    StudyFit minimax = solve_minimax_study(study, objective.constraints, starts, checkpoint);
+    if (minimax.status != Status::degenerate || has_constraints(objective.constraints)) return minimax;
+    return exact_fit(study, starts, checkpoint).value_or(std::move(minimax));
   };
   const auto solve_any = [&](const ReadStudy& study, const std::vector<Held>& starts) {
     // Constraints are in the units of the study.

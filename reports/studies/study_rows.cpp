@@ -258,6 +258,7 @@ std::string level_text(const FittedStudy& study) {
     return fmt::format("{} is at its bound {}\n", at.parameter, to_text(at.value));
   });
   if (!fit.level) return touching + at_bounds;
+  if (*fit.level == 0) return "Level 0: the form is its target.\n" + at_bounds;
   const char* others =
       fit.is_unique ? "" : "Other constants have this level too. These have the least mean square of them.\n";
   return fmt::format("Level {:.10g}, the error is {}{}\n{}{}{}", *fit.level,

@@ -1,4 +1,4 @@
-#include "fit/pair_for_exp2.hpp"
+#include "bench/forms/pair_for_exp2.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <limits>
+
+/// The digits of a fit.
+namespace shadefit {
+
+static_assert(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits,
+              "the digits of a fit are measured in an arithmetic wider than double");
+
+/// Relative. Rounding a parameter to double costs up to 1.1e-16. 1e-14 is promised, and the next larger rule
+/// gives more.
+inline constexpr double settled = 2e-15;
+/// The most digits that are claimed: 15 would rest on the last bit of a double.
+inline constexpr int most_digits = 14;
+
+/// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
+int correct_digits(long double relative_step);
+
+}  // namespace shadefit
