@@ -143,7 +143,10 @@ T SampledStudy<T>::target_norm() const {
     std::vector<S> target;
     Batch<T>(error_->target(), coordinates_)(std::vector<T>(count_), target);
     T square = 0;
-    for (std::size_t i = 0; i < size(); ++i) square += weights_[i] * lane(target, 0, i) * lane(target, 0, i);
+    for (std::size_t i = 0; i < size(); ++i) {
+      const T value = lane(target, 0, i);
+      if (std::isfinite(value)) square += weights_[i] * value * value;  // a residual may overflow there
+    }
     target_norm_ = std::sqrt(square);
   }
   return *target_norm_;

@@ -205,6 +205,7 @@ Features features_of_error(const ReadStudy& study, const std::vector<double>& pa
   constexpr double share = 0.05;
   ReadStudy at = study;
   at.form = at_parameters(study, study.form, parameters);
+  if (study.residual) at.residual = at_parameters(study, *study.residual, parameters);
   return features_of(error_formula(at), at.axes.front(), edges_of(at, 0), share);
 }
 

@@ -12,9 +12,11 @@ std::vector<StudyCandidate> best_of(const std::vector<StudyCandidate>& candidate
   constexpr double equal = 1e-9;
   // Below this the square is rounding.
   const double least = 1e-24 * target_norm * target_norm;
+  // What is left of a square without its linear part may be below 0.
+  const double lowest = std::max(0.0, candidates.front().square);
   std::vector<StudyCandidate> best;
   for (const StudyCandidate& candidate : candidates) {
-    if (candidate.square <= candidates.front().square * (1 + equal) + least) best.push_back(candidate);
+    if (candidate.square <= lowest * (1 + equal) + least) best.push_back(candidate);
   }
   return best;
 }

@@ -39,6 +39,7 @@ void Rules::move_kinks(const std::vector<double>& parameters) {
   }
   frozen_ = study_;
   frozen_->form = at_parameters(study_, study_.form, parameters);
+  if (study_.residual) frozen_->residual = at_parameters(study_, *study_.residual, parameters);
   edges_ = edges_of(*frozen_);
 }
 
