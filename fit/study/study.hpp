@@ -78,7 +78,7 @@ struct ReadStudy {
   Error error;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< then the target is the variable `value`
   bool has_only_starts = false;
-  std::vector<ParameterBounds> bounds = {};  ///< of free parameters, at most one each
+  std::vector<ParameterBounds> bounds = {};         ///< of free parameters, at most one each
   std::optional<Symbolic> residual = std::nullopt;  ///< form - target, if it is not their difference
 };
 
