@@ -13,7 +13,7 @@ namespace shadefit {
 
 /// What a fit of a study minimises.
 struct StudyObjective {
-  std::string words;  ///< "least squares", "minimax, relative error", "least squares with a = 1.57"
+  std::string words = {};  ///< "least squares", "minimax, relative error", "least squares with a = 1.57"
   Study study;
   Norm norm = Norm::least_squares;
   Constraints constraints = {};
