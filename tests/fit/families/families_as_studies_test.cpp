@@ -53,8 +53,10 @@ std::vector<double> cuts_of_lobe(double lower) {
 
 /// A blunt lobe has a singularity at c = 0, so its variable is c.
 Study blunt_lobe(const Metric& metric) {
-  return {.over = {{"c", "0", "1", density_of(std::string(name(metric.measure)), "c")}},
-          .definitions = {{"y", {}, "1 - c"}}};
+  Study study;
+  study.over = {{"c", "0", "1", density_of(std::string(name(metric.measure)), "c")}};
+  study.definitions = {{"y", {}, "1 - c"}};
+  return study;
 }
 
 Study sharp_lobe(double exponent, const Metric& metric) {
@@ -64,9 +66,11 @@ Study sharp_lobe(double exponent, const Metric& metric) {
   const double lower = metric.error == Error::relative
                            ? exponent * std::expm1(-std::log(255.0) / exponent)  // the target is 1/255
                            : -exponent;
-  return {.over = {{"t", hex_text(lower), "0", density}},
-          .definitions = {{"y", {}, "-t/k"}, {"c", {}, "1 + t/k"}},
-          .cuts = cuts_of_lobe(-exponent)};
+  Study study;
+  study.over = {{"t", hex_text(lower), "0", density}};
+  study.definitions = {{"y", {}, "-t/k"}, {"c", {}, "1 + t/k"}};
+  study.cuts = cuts_of_lobe(-exponent);
+  return study;
 }
 
 StudyFit fit_of_lobe(const InWords& words, double exponent, const Metric& metric) {
