@@ -112,12 +112,15 @@ TEST(BoundedStudy, KeepsConstraintsToo) {
   EXPECT_EQ(none.why.substr(0, 34), "no fit was found within the bounds") << none.why;
 }
 
-// x itself would be exact and have no level.
+// Where x itself lies within the bounds, it is the answer.
 TEST(BoundedStudy, LeavesAnExactForm) {
   const StudyFit fit = bounded_fit(bounded_line("x", "a + b x", {"b=0:0.5"}), Norm::minimax);
   ASSERT_EQ(name(fit.status), "converged") << fit.why;
   EXPECT_NEAR(*fit.level, 0.25, 1e-15);
-  EXPECT_EQ(name(bounded_fit(bounded_line("x", "a + b x", {"b=0:2"}), Norm::minimax).status), "degenerate");
+  const StudyFit exact = bounded_fit(bounded_line("x", "a + b x", {"b=0:2"}), Norm::minimax);
+  ASSERT_EQ(name(exact.status), "converged") << exact.why;
+  EXPECT_EQ(exact.level, 0);
+  EXPECT_NEAR(exact.parameters[1], 1, 1e-15);
   EXPECT_EQ(name(bounded_fit(bounded_line("x", "a x + b x + d", {"b=0:2"})).status), "degenerate");
 }
 
