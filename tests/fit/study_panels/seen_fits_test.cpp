@@ -223,5 +223,24 @@ TEST(SeenFit, IsRightForRandomTargets) {
   }
 }
 
+// No place holds the level of a form that is its target. Beside it there is an alternation.
+TEST(ExactMinimax, HasTheLevelZero) {
+  const auto fit = [](const std::string& target, Error error) {
+    Study study{.target = target, .form = "a x^2 + b x + d", .over = {{"x", "1", "2"}}};
+    study.error = error;
+    return fit_study({.study = study, .norm = Norm::minimax});
+  };
+  for (const Error error : {Error::absolute, Error::relative}) {
+    const StudyFit exact = fit("x^2", error);
+    ASSERT_EQ(name(exact.status), "converged") << exact.why;
+    EXPECT_EQ(exact.level, 0);
+    EXPECT_NEAR(exact.parameters[0], 1, 1e-14);
+    const StudyFit near = fit("x^2 + 1e-9*x^3", error);
+    ASSERT_EQ(name(near.status), "converged") << near.why;
+    EXPECT_GT(*near.level, 1e-12);
+    EXPECT_EQ(near.alternation.size(), 4U);
+  }
+}
+
 }  // namespace
 }  // namespace shadefit
