@@ -31,17 +31,14 @@ std::string polynomial(int degree) {
 }  // namespace
 
 PairForExp2 fit_pair_for_exp2(int degree) {
-  Study study{.target = polynomial(degree),
-              .form = std::string("schlick_weight(") + cosine_of_exponent + ")",
-              .over = {{"x", lowest_exponent, "0"}},
-              .definitions = {{"n", {}, "floor(x + 1/2)"}, {"r", {}, "x - n"}},
-              .starts = {{"a", -5}, {"b", -7}},
-              .parameters = {"a", "b"}};
+  const Study study{.target = polynomial(degree),
+                    .form = std::string("schlick_weight(") + cosine_of_exponent + ")",
+                    .over = {{"x", lowest_exponent, "0"}},
+                    .definitions = {{"n", {}, "floor(x + 1/2)"}, {"r", {}, "x - n"}},
+                    .starts = {{"a", -5}, {"b", -7}}};
   const StudyFit fit = fit_study({.study = study, .norm = Norm::minimax});
   if (fit.status != Status::converged) return {.status = fit.status, .why = fit.why};
-  const bool is_a_first = fit.names.front() == "a";
-  return {fit.parameters[is_a_first ? 0 : 1], fit.parameters[is_a_first ? 1 : 0], fit.level.value(),
-          fit.status};
+  return {fit.parameters[1], fit.parameters[0], fit.level.value(), fit.status};  // b is the first in the form
 }
 
 }  // namespace shadefit

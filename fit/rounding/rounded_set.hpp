@@ -82,7 +82,7 @@ StudyInFormat<Format> study_in(const ReadStudy& study, const std::string& option
   return in_format;
 }
 
-/// Adds the errors of a set over every number of the format, of which there are few.
+/// Adds the errors of a set in a narrow format. The form is evaluated at every number in the range.
 template <class Format>
 void add_errors(RoundedStudySet& set, StudyInFormat<Format>& in_format, const Checkpoint& checkpoint) {
   const ErrorInFormat largest = in_format.largest_error(set.values);

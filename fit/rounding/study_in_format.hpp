@@ -77,7 +77,8 @@ class StudyInFormat {
   /// The largest error in 8-bit sRGB codes over all places; empty if a target is outside of [0, 1].
   std::optional<double> srgb_codes(std::span<const double> constants);
 
-  /// A bound of the largest error over all places on a GPU, by `usual_gpu`; infinite if there is none.
+  /// Bounds the largest error that a GPU makes at these places, by `usual_gpu`. Infinite if no bound is
+  /// found.
   double bound_on_gpu(std::span<const double> constants, const Checkpoint& checkpoint = keep_going) const;
 
  private:

@@ -239,6 +239,7 @@ ReadFormula read_form(const Study& study, FormulaNames names) {
 /// Refuses a residual that is not form - target, by 50 digits at places and parameters without a relation.
 void require_residual(const ReadStudy& study, const Symbolic& residual) {
   constexpr int places = 16;
+  int compared = 0;
   for (int i = 0; i < places; ++i) {
     // Multiples of irrational numbers, without their whole parts, are far from each other.
     const auto share = [i](std::size_t j) {
@@ -262,21 +263,25 @@ void require_residual(const ReadStudy& study, const Symbolic& residual) {
                     given = in_50_digits(residual, at);
     // The difference of two numbers of 50 digits has this much of their rounding.
     const Decimal50 rounding = Decimal50("1e-40") * (abs(form) + abs(target));
-    if (isfinite(form) && isfinite(target) && !(abs(given - (form - target)) <= rounding))
+    if (!isfinite(form) || !isfinite(target)) continue;
+    ++compared;
+    if (!(abs(given - (form - target)) <= rounding))
       throw StudyFault({"residual"}, quoted(study.axes.front().variable + " = " +
                                             to_text(static_cast<double>(at(study.axes.front().variable)))) +
                                          ": it is " + to_text(static_cast<double>(given)) +
                                          ", but form - target is " +
                                          to_text(static_cast<double>(Decimal50(form - target))));
   }
+  if (compared == 0)
+    throw StudyFault({"residual"}, ": form and target have no finite value with which it could be compared");
 }
 
 /// The formula of form - target.
-Symbolic read_residual(const Study& study, FormulaNames names, const ReadStudy& read_study) {
+Symbolic read_residual(const Study& study, FormulaNames names, const ReadStudy& formulas) {
   names.takes_parameters = true;
-  names.parameters = read_study.parameters;
+  names.parameters = formulas.parameters;
   const Symbolic residual = read({"residual"}, study.residual, names).formula;
-  require_residual(read_study, residual);
+  require_residual(formulas, residual);
   return residual;
 }
 

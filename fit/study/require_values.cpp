@@ -120,28 +120,25 @@ struct Approach {
   std::vector<double> direction;  ///< for the distance 1; 0 where an axis takes no part
 };
 
-/// A formula at a distance from a place, in a scalar.
+/// The variables of a study at a distance from a place.
 template <class T>
-T value_near(const ReadStudy& study, const Symbolic& formula, const Approach& approach, const T& distance) {
-  return evaluate<T>(formula, [&](const std::string& name) {
+auto place_near(const ReadStudy& study, const Approach& approach, const T& distance) {
+  return [&study, &approach, distance](const std::string& name) {
     std::size_t i = 0;
     while (study.axes[i].variable != name) ++i;
     return T(T(approach.from[i]) + distance * T(approach.direction[i]));
-  });
+  };
 }
 
 /// |formula| at a distance from a place: in 50 digits, if double and long double do not tell it alike.
 Decimal50 size_near(const ReadStudy& study, const Symbolic& formula, const Approach& approach,
                     const Decimal50& distance) {
-  const auto narrow = value_near(study, formula, approach, static_cast<double>(distance));
-  const auto wide = value_near(study, formula, approach, static_cast<long double>(distance));
+  const auto narrow = evaluate<double>(formula, place_near(study, approach, static_cast<double>(distance)));
+  const auto wide =
+      evaluate<long double>(formula, place_near(study, approach, static_cast<long double>(distance)));
   constexpr long double alike = 1e-6L;  // a growth by half is asked for
   if (wide != 0 && std::abs(narrow - wide) <= alike * std::abs(wide)) return abs(Decimal50(wide));
-  return abs(in_50_digits(formula, [&](const std::string& name) {
-    std::size_t i = 0;
-    while (study.axes[i].variable != name) ++i;
-    return Decimal50(approach.from[i] + distance * approach.direction[i]);
-  }));
+  return abs(in_50_digits(formula, place_near(study, approach, distance)));
 }
 
 /// The density there, as a factor of the integral.

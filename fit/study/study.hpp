@@ -48,7 +48,7 @@ struct Study {
   std::map<std::string, std::string> given = {};  ///< held constants: formulas of numbers
   std::vector<Held> held = {};                    ///< parameters with given values
   std::vector<Held> starts = {};                  ///< values from which a descent starts too
-  std::vector<ParameterBounds> bounds = {};       ///< those of names that this form does not have count not
+  std::vector<ParameterBounds> bounds = {};       ///< a name that the form lacks has no effect
   std::vector<std::string> parameters = {};  ///< those of the form; empty: every name that is nothing else
   /// Then no other descent starts, and a fit of rows has no statistics. This tells whether `starts` are near
   /// an optimum.

@@ -167,6 +167,8 @@ TEST(Residual, MustBeTheDifference) {
   } catch (const UserError& error) {
     EXPECT_NE(std::string(error.what()).find("but form - target is"), std::string::npos) << error.what();
   }
+  study.target = "sqrt(-1 - x)";
+  EXPECT_THROW(read_study(study), UserError) << "nothing can be compared";
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fit/quadrature/gauss.hpp"
+#include "fit/scalars/in_50_digits.hpp"
+#include "fit/study/study_nodes.hpp"
+#include "fit/support/user_error.hpp"
+#include "fit/tape/tape_program.hpp"
+
+/// The nodes of one variable of a study.
+namespace shadefit {
+
+/// A node of one axis. Near a root the distance from it is known to full precision.
+struct AxisNode {
+  long double at, weight;
+};
+
+/// The density of an axis. Near x = 1, 1/sqrt(1 - x^2) cancels: then it is computed in 50 digits. One thread
+/// uses it at a time.
+class Density {
+ public:
+  explicit Density(const StudyAxis& axis)
+      : axis_(axis),
+        narrow_(tape_of(axis.density, variables()), {}),
+        wide_(tape_of(axis.density, variables()), {}) {}
+
+  long double at(double root, long double distance) {
+    const long double x = root + distance;
+    narrow_.run(std::array{static_cast<double>(x)});
+    wide_.run(std::array{x});
+    const double narrow = narrow_.output(0);
+    const long double wide = wide_.output(0);
+    // Long double has eleven digits more: what double loses to some ulps, it does not.
+    constexpr long double few_ulps = 8 * std::numeric_limits<double>::epsilon();
+    if (std::abs(narrow - wide) <= few_ulps * std::abs(wide)) return wide;
+    const Decimal50 precise = Decimal50(root) + Decimal50(distance);
+    return static_cast<long double>(in_50_digits(axis_.density, [&](const std::string&) { return precise; }));
+  }
+
+ private:
+  std::vector<std::string> variables() const { return {axis_.variable}; }
+
+  const StudyAxis& axis_;
+  TapeProgram<double> narrow_;
+  TapeProgram<long double> wide_;
+};
+
+/// Appends the nodes between an end that may be a root and the other end.
+inline void append_panel(const StudyAxis& axis, Density& density_of_axis, double root, double other,
+                         int root_power, unsigned rule_size, std::vector<AxisNode>& nodes) {
+  const long double length = static_cast<long double>(other) - static_cast<long double>(root);
+  const bool is_uniform = is_one(axis.density);
+  visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
+    long double lower_power = 1;
+    for (int i = 1; i < root_power; ++i) lower_power *= u;
+    const long double distance = length * lower_power * u;
+    long double weight = w * std::abs(length) * static_cast<long double>(root_power) * lower_power;
+    if (!is_uniform) {
+      const long double density = density_of_axis.at(root, distance);
+      if (!(density >= 0) || !std::isfinite(density))
+        throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
+                        axis.variable + " = " + to_text(static_cast<double>(root + distance)) + " it is " +
+                        to_text(static_cast<double>(density)));
+      weight *= density;
+    }
+    nodes.push_back({static_cast<long double>(root) + distance, weight});
+  });
+}
+
+/// The nodes of an axis between its edges, by a Gauss rule on each panel. Throws UserError where the density
+/// is negative or not finite.
+inline std::vector<AxisNode> axis_nodes(const StudyAxis& axis, const std::vector<StudyEdge>& edges,
+                                        unsigned rule_size) {
+  std::vector<AxisNode> nodes;
+  nodes.reserve(std::size_t{2} * rule_size * (edges.size() - 1));
+  Density density(axis);
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const StudyEdge &left = edges[i - 1], &right = edges[i];
+    if (left.power == 1 || right.power == 1) {
+      const bool from_right = right.power > 1;
+      append_panel(axis, density, from_right ? right.at : left.at, from_right ? left.at : right.at,
+                   std::max(left.power, right.power), rule_size, nodes);
+    } else {
+      const double middle = left.at + (right.at - left.at) / 2;
+      append_panel(axis, density, left.at, middle, left.power, rule_size, nodes);
+      append_panel(axis, density, right.at, middle, right.power, rule_size, nodes);
+    }
+  }
+  return nodes;
+}
+
+}  // namespace shadefit
