@@ -147,7 +147,7 @@ class RemezExchange {
     here_.look();
     if (here_.violation() > rest * here_.level())
       return fail(Status::infeasible, "no admissible parameters near least squares " + here_.most_violated());
-    return fail(Status::at_border, "");
+    return fail(Status::at_border, "the way down leads to a pole of the form");
   }
 
   /// The line search failed. If the programme still promises a lower level, the exchange has not converged.

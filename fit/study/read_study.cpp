@@ -236,8 +236,16 @@ ReadFormula read_form(const Study& study, FormulaNames names) {
   return form;
 }
 
-/// Refuses a residual that is not form - target, by 50 digits at places and parameters without a relation.
-void require_residual(const ReadStudy& study, const Symbolic& residual) {
+void require_enough_rows(const ReadStudy& study) {
+  const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
+  if (rows < parameters)
+    throw UserError("'" + study.rows->file.unescaped() + "' has fewer rows than the form has parameters: " +
+                    std::to_string(rows) + " and " + std::to_string(parameters));
+}
+
+}  // namespace
+
+void require_residual(const ReadStudy& study) {
   constexpr int places = 16;
   int compared = 0;
   for (int i = 0; i < places; ++i) {
@@ -260,7 +268,7 @@ void require_residual(const ReadStudy& study, const Symbolic& residual) {
       return Decimal50(1);
     };
     const Decimal50 form = in_50_digits(study.form, at), target = in_50_digits(study.target, at),
-                    given = in_50_digits(residual, at);
+                    given = in_50_digits(difference_of(study), at);
     // The difference of two numbers of 50 digits has this much of their rounding.
     const Decimal50 rounding = Decimal50("1e-40") * (abs(form) + abs(target));
     if (!isfinite(form) || !isfinite(target)) continue;
@@ -275,24 +283,6 @@ void require_residual(const ReadStudy& study, const Symbolic& residual) {
   if (compared == 0)
     throw StudyFault({"residual"}, ": form and target have no finite value with which it could be compared");
 }
-
-/// The formula of form - target.
-Symbolic read_residual(const Study& study, FormulaNames names, const ReadStudy& formulas) {
-  names.takes_parameters = true;
-  names.parameters = formulas.parameters;
-  const Symbolic residual = read({"residual"}, study.residual, names).formula;
-  require_residual(formulas, residual);
-  return residual;
-}
-
-void require_enough_rows(const ReadStudy& study) {
-  const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
-  if (rows < parameters)
-    throw UserError("'" + study.rows->file.unescaped() + "' has fewer rows than the form has parameters: " +
-                    std::to_string(rows) + " and " + std::to_string(parameters));
-}
-
-}  // namespace
 
 std::optional<double> value_of_numbers(const std::string& text) {
   try {
@@ -365,7 +355,12 @@ ReadStudy read_formulas(const Study& study) {
   FormulaNames of_weight = names;
   of_weight.variables = node_variables(result);
   result.weight = read({"--weight"}, study.weight, of_weight).formula;
-  if (!study.residual.empty()) result.residual = read_residual(study, names, result);
+  if (!study.residual.empty()) {
+    FormulaNames of_residual = names;
+    of_residual.takes_parameters = true;
+    of_residual.parameters = form.parameters;
+    result.residual = read({"residual"}, study.residual, of_residual).formula;
+  }
 
   for (const Held& held : study.held) {
     if (!contains(result.parameters, held.parameter))

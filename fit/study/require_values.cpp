@@ -160,9 +160,9 @@ bool is_too_large(const ReadStudy& study, const Symbolic& formula, const Approac
   const Decimal50 at_far = size_near(study, formula, approach, far),
                   at_near = size_near(study, formula, approach, near);
   // From each distance to the next a logarithm doubles; what is bounded changes by a share of 1e-6, but a
-  // lobe may lie between two of them.
-  constexpr double grown = 1.5, constant = 0.999;
-  if (!(at_near > grown * at_far)) return false;
+  // lobe may lie between two of them. It falls faster than any power.
+  constexpr double grown = 1.5, lobe = 1e100, constant = 0.999;
+  if (!(at_near > grown * at_far) || at_near > lobe * at_far) return false;
   if (!(size_near(study, formula, approach, nearest) > grown * at_near)) return false;
   if (norm == Norm::minimax) return true;
   const Decimal50 square_at_far =
@@ -174,7 +174,7 @@ bool is_too_large(const ReadStudy& study, const Symbolic& formula, const Approac
 
 /// The ways to the border of the range: to each end of one axis, and of several at once. An axis that takes
 /// no part stays at a place inside that has no relation to the others.
-std::vector<Approach> approaches(const ReadStudy& study) {
+std::vector<Approach> approaches(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges) {
   std::vector<Approach> result{{{}, {}}};
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     const StudyAxis& axis = study.axes[i];
@@ -196,7 +196,7 @@ std::vector<Approach> approaches(const ReadStudy& study) {
   result.erase(result.begin());  // the place inside
   if (study.axes.size() == 1) {
     const StudyAxis& axis = study.axes.front();
-    for (const StudyEdge& edge : edges_of(study, 0)) {
+    for (const StudyEdge& edge : edges.front()) {
       if (edge.power == 1 || edge.at == axis.lower || edge.at == axis.upper) continue;
       // The way stays inside the range.
       result.push_back({{edge.at}, {axis.lower - edge.at}});
@@ -208,20 +208,21 @@ std::vector<Approach> approaches(const ReadStudy& study) {
 
 }  // namespace
 
-void require_finite(const ReadStudy& study, const Symbolic& formula, const std::string& option, Norm norm) {
+void require_finite(const ReadStudy& study, const Symbolic& formula, const std::string& option, Norm norm,
+                    const std::vector<std::vector<StudyEdge>>& edges) {
   if (study.rows || study.error == Error::relative) return;
   const Symbolic weighted = study.weight * formula;
   const std::vector<Hinge> hinges = hinges_of(weighted);
   // Without a pole nothing is infinite.
   if (std::none_of(hinges.begin(), hinges.end(), [](const Hinge& hinge) { return hinge.is_pole; })) return;
-  for (const Approach& approach : approaches(study)) {
+  for (const Approach& approach : approaches(study, edges)) {
     if (!is_too_large(study, weighted, approach, norm)) continue;
     std::string place;
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
       if (approach.direction[i] == 0) continue;
       place += (place.empty() ? "" : ", ") + study.axes[i].variable + " = " + to_text(approach.from[i]);
     }
-    throw UserError(option + " is not finite at " + place +
+    throw UserError(option + (is_one(study.weight) ? "" : " times --weight") + " is not finite at " + place +
                     (norm == Norm::minimax ? ", so no constants have a largest error"
                                            : ", and the integral of its square does not converge there") +
                     "; leave that place out of --over");
@@ -229,7 +230,7 @@ void require_finite(const ReadStudy& study, const Symbolic& formula, const std::
 }
 
 void require_finite_form(const ReadStudy& study, Norm norm) {
-  require_finite(study, at_any_parameters(study), "--form", norm);
+  require_finite(study, at_any_parameters(study), "--form", norm, edges_of(study));
 }
 
 void require_dependence(const ReadStudy& study, const std::vector<bool>& is_open) {

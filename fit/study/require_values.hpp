@@ -15,8 +15,9 @@ std::vector<double> require_values(const ReadStudy& study, const StudyNodes& nod
 
 /// Throws UserError with a place at the border of the range, or at a pole inside it, where a formula of the
 /// variables is not finite: for least squares if the integral of its square does not converge there, for
-/// minimax always. `option` names the formula.
-void require_finite(const ReadStudy& study, const Symbolic& formula, const std::string& option, Norm norm);
+/// minimax always. `option` names the formula; `edges` are those of the study.
+void require_finite(const ReadStudy& study, const Symbolic& formula, const std::string& option, Norm norm,
+                    const std::vector<std::vector<StudyEdge>>& edges);
 
 /// The same of the form at nearly all parameters, as for a/x + b at x = 0: to say why a fit failed.
 void require_finite_form(const ReadStudy& study, Norm norm);

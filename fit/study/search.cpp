@@ -94,8 +94,9 @@ void sort_by_square(std::vector<SearchedPlace>& places) {
 class Descents {
  public:
   Descents(const StudyError& error, const SampledStudy<double>& sampled, const std::vector<double>& units,
-           const Checkpoint& checkpoint)
+           const Checkpoint& checkpoint, bool keeps_from_poles = false)
       : problem_(error, sampled),
+        barrier_(keeps_from_poles ? &sampled : nullptr),
         residuals_(problem_.residual_count()),
         units_(units.empty() ? Vector::Ones(problem_.unknown_count()) : unknowns_of(units)),
         residual_unit_(unit_of(sampled.target_norm())),
@@ -134,7 +135,7 @@ class Descents {
  private:
   double square_at(const Vector& q) const {
     problem_(q.data(), residuals_.data(), nullptr);
-    return residuals_.squaredNorm();
+    return is_behind_pole() ? HUGE_VAL : residuals_.squaredNorm();
   }
 
   /// A descent ends when the square changes by a few roundings. How small the square becomes is known only at
@@ -161,13 +162,20 @@ class Descents {
     const Eigen::Index n = problem_.unknown_count();
     const ProductVector<double> at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
     problem_(at.data(), residuals, jacobian);
+    if (is_behind_pole()) residuals[0] = HUGE_VAL;
     Eigen::Map<Vector>(residuals, n + 1) /= residual_unit_;
     if (jacobian == nullptr) return;
     Eigen::Map<MatrixOf<double>> columns(jacobian, n + 1, n);
     for (Eigen::Index i = 0; i < n; ++i) columns.col(i) *= units_[i] / residual_unit_;
   }
 
+  /// Whether the last parameters have a pole, if these descents keep from one.
+  bool is_behind_pole() const {
+    return barrier_ != nullptr && barrier_->has_pole(std::span<const double>(problem_.parameters()));
+  }
+
   Projection problem_;
+  const SampledStudy<double>* barrier_;
   mutable Vector residuals_;
   Vector units_;
   double residual_unit_;
@@ -331,19 +339,23 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
   return starts;
 }
 
-std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
-                                          const SampledStudy<double>& sampled, const SearchStarts& wanted,
-                                          const Checkpoint& checkpoint) {
+namespace {
+
+/// The ends of descents, best first, without those that have a pole. `keeps_from_poles`: no step is taken to
+/// a place with one.
+std::vector<StudyCandidate> basins(const StudyError& error, const SampledStudy<double>& coarse,
+                                   const SampledStudy<double>& sampled, const SearchStarts& wanted,
+                                   const Checkpoint& checkpoint, bool keeps_from_poles) {
   // A few steps from the better half of the starts, some more from the better half of their ends, then many
   // from the lowest: most starts lead to the same few basins.
   constexpr int few = 3, some = 5, many = 100;
-  const Descents problem(error, sampled, wanted.units, checkpoint);
+  const Descents problem(error, sampled, wanted.units, checkpoint, keeps_from_poles);
   std::vector<SearchedPlace> ends;
   if (problem.unknowns().empty()) {
     ends = problem.from({Vector(0)}, 0);
   } else {
     if (wanted.count > 0) {
-      const Descents scan(error, coarse, wanted.units, checkpoint);
+      const Descents scan(error, coarse, wanted.units, checkpoint, keeps_from_poles);
       std::vector<Vector> places = starting_places(wanted, problem.unknowns());
       if (!wanted.ranges.empty()) std::ranges::move(placed(wanted, scan), std::back_inserter(places));
       for (Vector& place : places) {
@@ -364,6 +376,16 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
     if (!sampled.has_pole(parameters)) found.push_back({parameters, end.square});
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
+                                          const SampledStudy<double>& sampled, const SearchStarts& starts,
+                                          const Checkpoint& checkpoint) {
+  // A long step may lead over a pole, to where the way down leads away from it.
+  const auto found = basins(error, coarse, sampled, starts, checkpoint, false);
+  return found.empty() ? basins(error, coarse, sampled, starts, checkpoint, true) : found;
 }
 
 std::size_t search_rule(const ReadStudy& study) {

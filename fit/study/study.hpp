@@ -85,6 +85,10 @@ struct ReadStudy {
 /// form - target of a study.
 Symbolic difference_of(const ReadStudy& study);
 
+/// Refuses a residual that is not form - target, by 50 digits at places and parameters without a relation.
+/// Throws UserError. Who writes one asks this once.
+void require_residual(const ReadStudy& study);
+
 /// The study with a parameter held at a value.
 ReadStudy with_held(ReadStudy study, const std::string& parameter, double value);
 

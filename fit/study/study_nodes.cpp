@@ -63,11 +63,11 @@ class HingeCurve {
     value(x);
     return program_.output(1);
   }
-  /// Whether the value is 0 or rounding.
-  bool may_be_zero(double x) {
-    values_.front() = x;
+  /// Whether some value of a range is 0 or rounding.
+  bool may_be_zero(double lower, double upper) const {
     using Enclosure = RoundedInterval<OutwardArithmetic>;
-    const std::vector<Enclosure> inputs(values_.begin(), values_.end());
+    std::vector<Enclosure> inputs(values_.begin(), values_.end());
+    inputs.front() = Enclosure(lower, upper);
     const Enclosure value = program_.tape()(std::span<const Enclosure>(inputs)).front();
     return value.lower() <= 0 && 0 <= value.upper();
   }
@@ -111,6 +111,7 @@ double bisected(double low, double high, const Predicate& predicate) {
 /// Adds the zeros of a hinge as edges. `part` is the formula of the hinge.
 void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
                   std::vector<StudyEdge>& edges) {
+  if (!part.may_be_zero(axis.lower, axis.upper)) return;
   const std::vector<double> places = places_on(axis.lower, axis.upper), values = part.values(places);
   double largest = 0;
   for (const double value : values)
@@ -147,7 +148,7 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
       // an extremum between, which may touch zero
       const double x =
           bisected(places[i - 1], places[i], [&](double at) { return part.slope(at) * values[i - 1] < 0; });
-      if (std::abs(part.value(x)) <= 1e-12 * largest && part.may_be_zero(x)) edges.push_back({x, power});
+      if (std::abs(part.value(x)) <= 1e-12 * largest && part.may_be_zero(x, x)) edges.push_back({x, power});
     }
   }
 }
@@ -167,10 +168,20 @@ std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edge
   }
   result.front().at = axis.lower;
   result.back().at = axis.upper;
-  if (result.size() > most_study_edges + axis.cuts.size())
+  if (result.size() > most_study_edges)
     throw UserError("--over '" + axis.variable +
                     "': more than 64 kinks, roots and poles: no more are allowed");
   return result;
+}
+
+/// The edges and the cuts between them. A cut next to 0 is far from 0 for a lobe there.
+std::vector<StudyEdge> with_cuts(const StudyAxis& axis, std::vector<StudyEdge> edges) {
+  for (const double cut : axis.cuts) {
+    const auto next = std::ranges::lower_bound(edges, cut, {}, &StudyEdge::at);
+    const double near = 1e-13 * std::abs(cut);
+    if (next->at - cut > near && cut - std::prev(next)->at > near) edges.insert(next, {cut});
+  }
+  return edges;
 }
 
 /// The hinges of formulas whose variables pass, each once.
@@ -334,7 +345,7 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   const StudyAxis& axis = study.axes[index];
   std::vector<StudyEdge> edges{{axis.lower}, {axis.upper}};
   const auto is_of_axis = [&](const std::set<std::string>& names) {
-    return names.empty() || (names.size() == 1 && names.contains(axis.variable));
+    return names.size() == 1 && names.contains(axis.variable);
   };
   for (const Hinge& hinge :
        hinges_where({&study.target, &study.form, &study.weight, &axis.density}, is_of_axis)) {
@@ -356,8 +367,7 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
     HingeCurve target(study.target, std::span(&axis, 1));
     append_zeros({.part = study.target, .is_root = false, .is_pole = false}, target, axis, edges);
   }
-  for (const double cut : axis.cuts) edges.push_back({cut});
-  return merged(axis, std::move(edges));
+  return with_cuts(axis, merged(axis, std::move(edges)));
 }
 
 std::vector<StudyEdge> with_sides(const std::vector<StudyEdge>& edges) {

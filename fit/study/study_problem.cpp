@@ -31,7 +31,8 @@ Symbolic weighted(const ReadStudy& study, const Symbolic& error) {
   return is_one(study.weight) ? error : study.weight * error;
 }
 
-/// The error of a form that is 0, up to its sign; of a residual its own, where the parameters are 0.
+/// The error of a form that is 0, up to its sign. A residual is smaller than form and target where it does
+/// not cancel: then its own, where the parameters are 0.
 Symbolic scale_formula(const ReadStudy& study) {
   const bool is_relative = study.error == Error::relative;
   if (!study.residual) return weighted(study, is_relative ? Symbolic::number("1") : study.target);
@@ -39,7 +40,9 @@ Symbolic scale_formula(const ReadStudy& study) {
     const bool is_parameter = std::ranges::find(study.parameters, name) != study.parameters.end();
     return is_parameter ? Symbolic::number("0") : Symbolic::variable(name);
   });
-  return weighted(study, is_relative ? residual / study.target : residual);
+  const auto size = [](const Symbolic& e) { return Symbolic::function("abs", {e}); };
+  const Symbolic least = Symbolic::function("min", {size(residual), size(study.target)});
+  return weighted(study, is_relative ? least / study.target : least);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "fit/quadrature/gauss.hpp"
 #include "fit/study/study_fit.hpp"
 #include "fit/study_exchange/constrained_study.hpp"
+#include "fit/study_exchange/logarithms.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -46,15 +48,25 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
     signed_error = -signed_error;
   problem_.error = panel_curve(study, signed_error, CurveOf::formula, panels_, places);
   problem_.deviation = problem_.error;
-  if (constraints.at_most || constraints.at_least)
-    problem_.bounded = panel_curve(study, study.form, CurveOf::formula, panels_, places);
+  const bool is_bounded = constraints.at_most || constraints.at_least;
+  const std::optional<ReadStudy> logarithms =
+      constraints.one_sided || is_bounded ? logarithms_of(study, parameters) : std::nullopt;
+  if (logarithms && constraints.one_sided)
+    problem_.deviation =
+        panel_curve(*logarithms, error_formula(*logarithms), CurveOf::formula, panels_, places);
+  if (is_bounded)
+    problem_.bounded =
+        panel_curve(study, logarithms ? logarithms->form : study.form, CurveOf::formula, panels_, places);
   if (constraints.monotone)
     problem_.sloping = panel_curve(study, study.form, CurveOf::slope, panels_, places);
-  const auto& linear = error.is_linear();
-  problem_.is_linear = std::find(linear.begin(), linear.end(), false) == linear.end();
+  const auto is_linear = [](const StudyError& of) { return std::ranges::count(of.is_linear(), false) == 0; };
+  problem_.is_exponential = logarithms.has_value();
+  problem_.is_linear =
+      is_linear(error) || (logarithms && !constraints.monotone && is_linear(StudyError(*logarithms)));
   problem_.one_sided = constraints.one_sided;
   problem_.at_most = constraints.at_most;
-  problem_.at_least = constraints.at_least;
+  // An exponential is never below 0.
+  if (!logarithms || constraints.at_least > 0) problem_.at_least = constraints.at_least;
   problem_.monotone = constraints.monotone;
   for (const double x : constraints.exact_at)
     problem_.exact_at.push_back(x == edges.front().at ? places.front() : places.back());

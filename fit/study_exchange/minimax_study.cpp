@@ -113,11 +113,12 @@ std::optional<std::vector<double>> other_side(const ReadStudy& study, const Exch
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_possible(study, constraints);
-  require_finite(study, study.target, "--target", Norm::minimax);
+  const std::vector<std::vector<StudyEdge>> fixed = edges_of(study);
+  require_finite(study, study.target, "--target", Norm::minimax, fixed);
   if (study.rows) return solve_minimax_rows(study, starts, checkpoint);
   if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);
-  const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);
+  const SearchedStudy searched = search_study(study, error, fixed, starts, checkpoint);
   checkpoint();
   const std::vector<double>& first = searched.candidates.front().parameters;
   const auto edges = resolved_edges(study, error, first);

@@ -38,6 +38,7 @@ class Limits {
 
   Completed completed(const Symbolic& formula) const {
     if (formula.parts().empty() || integral_depth(formula) > 0) return {formula, {}};
+    if (!free_variables(formula).contains(axis_.variable)) return {formula, {}};
     Completed result{formula, {}};
     std::vector<Symbolic> parts;
     for (const Symbolic& part : formula.parts()) {

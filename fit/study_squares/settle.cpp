@@ -54,7 +54,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
     std::vector<double> parameters = fit.parameters;
     const auto hessian = polish(fine, parameters);
     if (!hessian) {
-      if (rule + 1 < rules.last()) continue;
+      if (rule + 1 < rules.last() || fit.status == Status::converged) continue;
       fit.why = "Newton's method did not find a minimum";
       return fit;
     }
@@ -67,16 +67,19 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
     const double square = fine.square(parameters);
     // Below this the square is rounding.
     const double rounding = 1e-20 * fine.target_norm() * fine.target_norm();
-    if (std::abs(static_cast<double>(sums.square) - square) > 1e-6 * square + rounding) continue;
-    if (!(size < best)) continue;
-    best = size;
-    // The step of the larger rule, in the wider arithmetic, is the better answer.
-    fit.parameters = moved_by<long double>(step, parameters);
-    clear_rounding(fit.parameters, *hessian, fine.target_norm());
-    fit.digits = correct_digits(size);
-    fit.rms_error = static_cast<double>(std::sqrt(sums.square));
+    const double apart = std::abs(static_cast<double>(sums.square) - square);
+    if (apart > 1e-6 * square + rounding) continue;
     fit.status = Status::converged;
-    if (size <= settled) break;
+    fit.rms_error = static_cast<double>(std::sqrt(sums.square));
+    if (size < best) {
+      best = size;
+      // The step of the larger rule, in the wider arithmetic, is the better answer.
+      fit.parameters = moved_by<long double>(step, parameters);
+      clear_rounding(fit.parameters, *hessian, fine.target_norm());
+      fit.digits = correct_digits(size);
+    }
+    // Ten digits of the rms error are printed. That of the larger rule has more than both share.
+    if (best <= settled && apart <= 1e-10 * square + rounding) break;
   }
   if (fit.status != Status::converged) {
     fit.why = rules.is_of_rows() ? "Newton's method does not settle in long double"

@@ -76,9 +76,9 @@ StudyFit settled_fit(const ReadStudy& study, Rules& rules, const SearchedStudy& 
 }  // namespace
 
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
-  require_finite(study, study.target, "--target", Norm::least_squares);
   const StudyError error(study);
   Rules rules(study, error);
+  require_finite(study, study.target, "--target", Norm::least_squares, rules.edges());
   SearchedStudy searched = search_study(study, error, rules.edges(), starts, checkpoint);
   const SampledStudy<double>& sampled = searched.sampled;
   checkpoint();

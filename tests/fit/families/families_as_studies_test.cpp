@@ -51,11 +51,16 @@ std::vector<double> cuts_of_lobe(double lower) {
   return cuts;
 }
 
-/// A blunt lobe has a singularity at c = 0, so its variable is c.
-Study blunt_lobe(const Metric& metric) {
+/// A blunt lobe has a singularity at c = 0, so its variable is c. Next to it a relative error is steep.
+Study blunt_lobe(double exponent, const Metric& metric) {
   Study study;
+  study.target = "power_lobe(c, k)";
   study.over = {{"c", "0", "1", density_of(std::string(name(metric.measure)), "c")}};
   study.definitions = {{"y", {}, "1 - c"}};
+  if (metric.error == Error::absolute) return study;
+  study.over.front().lower = hex_text(std::exp(-std::log(255.0) / exponent));  // the target is 1/255
+  study.cuts.emplace();
+  for (int power = -64; power < 0; power += 4) study.cuts->push_back(std::ldexp(1.0, power));
   return study;
 }
 
@@ -63,24 +68,29 @@ Study sharp_lobe(double exponent, const Metric& metric) {
   std::string density = density_in_t(metric.measure);
   if (const auto place = density.find('k'); place != std::string::npos)
     density.replace(place, 1, hex_text(exponent));
-  const double lower = metric.error == Error::relative
-                           ? exponent * std::expm1(-std::log(255.0) / exponent)  // the target is 1/255
-                           : -exponent;
+  const double lower = metric.error == Error::relative ? exponent * std::expm1(-std::log(255.0) / exponent)
+                                                       : exponent * (metric.domain.lower - 1);
   Study study;
-  study.over = {{"t", hex_text(lower), "0", density}};
+  study.target = "power_lobe_near_peak(y, k)";
+  study.over = {{"t", hex_text(lower), hex_text(exponent * (metric.domain.upper - 1)), density}};
   study.definitions = {{"y", {}, "-t/k"}, {"c", {}, "1 + t/k"}};
   study.cuts = cuts_of_lobe(-exponent);
   return study;
 }
 
-StudyFit fit_of_lobe(const InWords& words, double exponent, const Metric& metric) {
-  Study study = exponent < 2 ? blunt_lobe(metric) : sharp_lobe(exponent, metric);
-  study.target = "power_lobe_near_peak(y, k)";
+Study study_of_lobe(const InWords& words, double exponent, const Metric& metric) {
+  Study study = exponent < 2 ? blunt_lobe(exponent, metric) : sharp_lobe(exponent, metric);
   study.form = words.form;
   study.residual = words.residual;
   study.given = {{"k", hex_text(exponent)}};
   study.error = metric.error;
-  return fit_study({.study = study, .norm = metric.norm});
+  return study;
+}
+
+StudyFit fit_of_lobe(const InWords& words, double exponent, const Metric& metric) {
+  return fit_study({.study = study_of_lobe(words, exponent, metric),
+                    .norm = metric.norm,
+                    .constraints = metric.constraints});
 }
 
 StudyFit fit_of_form(const InWords& words, const Surface& surface, const Metric& metric) {
@@ -115,7 +125,11 @@ bool expect_same(const Fit& family, const StudyFit& study) {
   const double promised = family.metric.norm == Norm::minimax ? 1e-13 : 2e-14;
   for (std::size_t i = 0; i < study.parameters.size(); ++i)
     EXPECT_TRUE(is_close(what, Decimal50(family.parameters[i]), study.parameters[i], promised));
-  EXPECT_NEAR(study.rms_error / family.rms_error, 1, 1e-9) << what;
+  // Far from least squares the nodes of the family do not fit its form: a rule of 25 digits has 0.154042 at k
+  // = 100, as the study, where the family has 0.153887.
+  if (!family.metric.constraints.at_least) {
+    EXPECT_NEAR(study.rms_error / family.rms_error, 1, 1e-9) << what;
+  }
   return true;
 }
 
@@ -138,6 +152,50 @@ TEST(FamiliesAsStudies, LobesHaveTheSameDigits) {
   EXPECT_GE(same, 75);  // of 81
 }
 
+// Where exponents are extreme, where a relative error is steep next to the end of its range, and where all of
+// the range is next to nothing.
+TEST(FamiliesAsStudies, LobesHaveTheSameDigitsAtTheEnds) {
+  for (const InWords& words : lobes) {
+    const FittableFamily& family = *find_family(words.family);
+    for (const double exponent : {1e-9, 1e12}) {
+      const StudyFit study = fit_of_lobe(words, exponent, {});
+      EXPECT_EQ(study.status, Status::converged) << words.family << " " << exponent << " " << study.why;
+      expect_same(family.fit(exponent, {}), study);
+    }
+    for (const double exponent : {0.008, 0.02, 0.1, 0.4, 1.0}) {
+      const Metric relative{.error = Error::relative};
+      EXPECT_TRUE(expect_same(family.fit(exponent, relative), fit_of_lobe(words, exponent, relative)));
+    }
+    const Metric narrow{.domain = {0.476, 0.808}};
+    const StudyFit study = fit_of_lobe(words, 198, narrow);
+    EXPECT_EQ(study.status, Status::converged) << words.family << " " << study.why;
+    expect_same(family.fit(198, narrow), study);
+  }
+}
+
+// Form and target fall to 1e-300: their logarithms tell whether one is below the other, or below a bound.
+TEST(FamiliesAsStudies, LobesKeepToTheSameConstraints) {
+  for (const InWords& words : lobes) {
+    if (words.family == std::string("sg-scaled")) continue;
+    const FittableFamily& family = *find_family(words.family);
+    for (const double exponent : {36.6, 100.0, 300.0}) {
+      Metric metric{.norm = Norm::minimax};
+      metric.constraints.at_least = 1e-6;
+      const StudyFit study = fit_of_lobe(words, exponent, metric);
+      EXPECT_EQ(study.status, Status::converged) << words.family << " " << exponent << " " << study.why;
+      expect_same(family.fit(exponent, metric), study);
+      metric.constraints = {.one_sided = Side::below};
+      EXPECT_EQ(family.fit(exponent, metric).status, Status::infeasible);
+      try {
+        fit_of_lobe(words, exponent, metric);
+        ADD_FAILURE() << "the target is 0 at c = 0, and the form is not";
+      } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("form <= target"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
 TEST(FamiliesAsStudies, FresnelFormsHaveTheSameDigits) {
   const Surface gold_surface = exact_surface(constant<double>(gold.ior), constant<double>(gold.extinction));
   for (const InWords& words : fresnel_forms) {
@@ -155,20 +213,25 @@ TEST(FamiliesAsStudies, FresnelFormsHaveTheSameDigits) {
   }
 }
 
-// A residual is held against form - target when it is read.
+TEST(Residual, OfEveryLobeIsFormMinusTarget) {
+  for (const InWords& words : lobes)
+    for (const double exponent : {1e-6, 0.5, 2.0, 37.0, 1e4})
+      require_residual(read_study(study_of_lobe(words, exponent, {})));
+}
+
 TEST(Residual, MustBeTheDifference) {
   Study study{.target = "x^2", .form = "a x", .over = {{"x", "0", "1"}}, .residual = "x (a - x)"};
   EXPECT_EQ(fit_study({.study = study}).parameters,
             fit_study({.study = {.target = "x^2", .form = "a x", .over = {{"x", "0", "1"}}}}).parameters);
   study.residual = "x (a - x^2)";
   try {
-    read_study(study);
+    require_residual(read_study(study));
     FAIL() << "it is not form - target";
   } catch (const UserError& error) {
     EXPECT_NE(std::string(error.what()).find("but form - target is"), std::string::npos) << error.what();
   }
   study.target = "sqrt(-1 - x)";
-  EXPECT_THROW(read_study(study), UserError) << "nothing can be compared";
+  EXPECT_THROW(require_residual(read_study(study)), UserError) << "nothing can be compared";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/study_objectives.hpp"
 
 /// Minimax fits of studies of one variable where the exchange is easily led astray.
 namespace shadefit {
@@ -103,6 +104,45 @@ TEST(MinimaxStudy, LevelsAnErrorAtAKinkThatMoves) {
   EXPECT_NEAR(*fit.level / (r * r), 1, 1e-14);
   ASSERT_EQ(fit.alternation.size(), 3);
   EXPECT_NEAR(fit.alternation.front().at.cos_theta, r, 1e-12);
+}
+
+// (1 - x)^37 and exp(-b x) fall to 1e-37 and below: their logarithms tell which is larger. Where the form
+// touches target or bound at the end of the range, b is a quotient of logarithms.
+TEST(MinimaxStudy, KeepsAnExponentialToItsSideWhereItIsNextToNothing) {
+  const Study lobe{.target = "(1-x)^37", .form = "exp(-b x)", .over = {{"x", "0", "0.9"}}};
+  const StudyFit below = solve_minimax_study(read_study(lobe), {.one_sided = Side::below}, {});
+  ASSERT_EQ(below.status, Status::converged) << below.why;
+  EXPECT_NEAR(below.parameters[0], 37 * std::log(10.0) / 0.9, 1e-12);
+  Study whole = lobe;
+  whole.over.front().upper = "1";
+  const StudyFit bounded = solve_minimax_study(read_study(whole), {.at_least = 1e-6}, {});
+  ASSERT_EQ(bounded.status, Status::converged) << bounded.why;
+  EXPECT_NEAR(bounded.parameters[0], 6 * std::log(10.0), 1e-12);
+  EXPECT_THROW(solve_minimax_study(read_study(whole), {.one_sided = Side::below}, {}), UserError)
+      << "at x = 1 the target is 0, and the form is not";
+  // The scale may not be positive; then the form has no logarithm.
+  Study scaled = lobe;
+  scaled.target = "-(1-x)^37";
+  scaled.form = "a exp(-b x)";
+  EXPECT_EQ(solve_minimax_study(read_study(scaled), {}, {}).status, Status::converged);
+}
+
+// Of glass from inside, whose target is 1 up to the critical angle: (1-c)^4/(1 + a c) comes nearer and nearer
+// as a falls, until its pole enters the range.
+TEST(MinimaxStudy, StaysOnItsSideOfAPole) {
+  Study inside{.target = "weight_of_reflectance(dielectric_reflectance(c, n), reflectance_at_normal(n))",
+               .form = "(1-c)^4/(1 + a c)",
+               .over = {{"c", "0", "1"}},
+               .given = {{"n", "0.485"}}};
+  const StudyFit squares = fit_study({.study = inside});
+  EXPECT_EQ(squares.status, Status::at_border);
+  EXPECT_NE(squares.why.find("a pole of the form, at c = 0.998"), std::string::npos) << squares.why;
+  inside.over.front().upper = "0.8";
+  const StudyFit minimax = fit_study({.study = inside, .norm = Norm::minimax});
+  ASSERT_EQ(minimax.status, Status::converged) << minimax.why;
+  // The errors at c = -(4 + a)/(3 a), where the form is least, and at 0.8 are opposite: mpmath in 30 digits.
+  EXPECT_NEAR(minimax.parameters[0], -1.24896900203307486, 1e-13);
+  EXPECT_NEAR(*minimax.level, 0.93986803481758444, 1e-13);
 }
 
 }  // namespace
