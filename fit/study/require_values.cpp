@@ -160,10 +160,12 @@ bool is_too_large(const ReadStudy& study, const Symbolic& formula, const Approac
   const Decimal50 at_far = size_near(study, formula, approach, far),
                   at_near = size_near(study, formula, approach, near);
   // From each distance to the next a logarithm doubles; what is bounded changes by a share of 1e-6, but a
-  // lobe may lie between two of them. It falls faster than any power.
-  constexpr double grown = 1.5, lobe = 1e100, constant = 0.999;
-  if (!(at_near > grown * at_far) || at_near > lobe * at_far) return false;
-  if (!(size_near(study, formula, approach, nearest) > grown * at_near)) return false;
+  // lobe may lie between two of them. It falls faster than any power, and from above.
+  constexpr double grown = 1.5, power = 1e100, constant = 0.999;
+  if (!(at_near > grown * at_far)) return false;
+  const Decimal50 at_nearest = size_near(study, formula, approach, nearest);
+  if (!(at_nearest > grown * at_near)) return false;
+  if (at_near > power * at_far && at_nearest < power * at_near) return false;
   if (norm == Norm::minimax) return true;
   const Decimal50 square_at_far =
       at_far * at_far * pow(far, static_cast<int>(n)) * density_near(study, approach, far);

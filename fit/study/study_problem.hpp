@@ -56,7 +56,7 @@ class StudyError {
   const StagedTape& gradient() const { return gradient_; }  ///< the error and its derivatives
   /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
   const StagedTape& hessian() const { return hessian_; }
-  const StagedTape& target() const { return target_; }  ///< the size of the target, or of its rounding
+  const StagedTape& target() const { return target_; }  ///< what errors are compared with
   /// The denominators of the form that contain a parameter. Where one is 0 the form has a pole.
   const std::vector<StagedTape>& denominators() const { return denominators_; }
 
