@@ -49,8 +49,10 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
   problem_.error = panel_curve(study, signed_error, CurveOf::formula, panels_, places);
   problem_.deviation = problem_.error;
   const bool is_bounded = constraints.at_most || constraints.at_least;
-  const std::optional<ReadStudy> logarithms =
-      constraints.one_sided || is_bounded ? logarithms_of(study, parameters) : std::nullopt;
+  const auto is_linear = [](const StudyError& of) { return std::ranges::count(of.is_linear(), false) == 0; };
+  const std::optional<ReadStudy> logarithms = (constraints.one_sided || is_bounded) && !is_linear(error)
+                                                  ? logarithms_of(study, parameters)
+                                                  : std::nullopt;
   if (logarithms && constraints.one_sided)
     problem_.deviation =
         panel_curve(*logarithms, error_formula(*logarithms), CurveOf::formula, panels_, places);
@@ -59,7 +61,6 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
         panel_curve(study, logarithms ? logarithms->form : study.form, CurveOf::formula, panels_, places);
   if (constraints.monotone)
     problem_.sloping = panel_curve(study, study.form, CurveOf::slope, panels_, places);
-  const auto is_linear = [](const StudyError& of) { return std::ranges::count(of.is_linear(), false) == 0; };
   problem_.is_exponential = logarithms.has_value();
   problem_.is_linear =
       is_linear(error) || (logarithms && !constraints.monotone && is_linear(StudyError(*logarithms)));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "fit/quadrature/gauss.hpp"
 #include "fit/study/study_problem.hpp"
@@ -11,13 +13,16 @@ namespace {
 
 using Kind = Symbolic::Kind;
 
-Symbolic log_of_size(const Symbolic& e) {
-  return Symbolic::function("log", {Symbolic::function("abs", {e})});
-}
-
-/// log(e) of a positive e, by the laws of powers and products.
-std::optional<Symbolic> logarithm(const Symbolic& e) {
-  const auto log_of_part = [&](std::size_t i) { return logarithm(e.part(i)); };
+/// log(e) of a positive e, by the laws of powers and products. The base of a power contains no parameter.
+std::optional<Symbolic> logarithm(const Symbolic& e, const std::vector<std::string>& parameters) {
+  const auto log_of_part = [&](std::size_t i) { return logarithm(e.part(i), parameters); };
+  const auto log_of_base = [&]() -> std::optional<Symbolic> {
+    if (auto log = log_of_part(0)) return log;
+    const std::set<std::string> names = free_variables(e.part(0));
+    if (std::ranges::any_of(parameters, [&](const auto& name) { return names.contains(name); }))
+      return std::nullopt;
+    return Symbolic::function("log", {Symbolic::function("abs", {e.part(0)})});
+  };
   switch (e.kind()) {
     case Kind::number:
     case Kind::constant:
@@ -28,9 +33,11 @@ std::optional<Symbolic> logarithm(const Symbolic& e) {
       if (e.name() == "exp2") return e.part(0) * Symbolic::constant("ln2");
       return std::nullopt;
     case Kind::integer_power:
-      return Symbolic::number(e.name()) * log_of_part(0).value_or(log_of_size(e.part(0)));
-    case Kind::real_power:
-      return e.part(1) * log_of_part(0).value_or(log_of_size(e.part(0)));
+    case Kind::real_power: {
+      const auto base = log_of_base();
+      if (!base) return std::nullopt;
+      return (e.kind() == Kind::real_power ? e.part(1) : Symbolic::number(e.name())) * *base;
+    }
     case Kind::multiply:
     case Kind::divide: {
       const auto a = log_of_part(0), b = log_of_part(1);
@@ -50,7 +57,7 @@ std::optional<Symbolic> logarithm(const Symbolic& e) {
 }  // namespace
 
 std::optional<ReadStudy> logarithms_of(const ReadStudy& study, const std::vector<double>& parameters) {
-  const auto form = logarithm(study.form);
+  const auto form = logarithm(study.form, study.parameters);
   if (!form) return std::nullopt;
   const StudyNodes nodes = nodes_of(study, edges_of(study), gauss_sizes[0]);
   const auto has_none = [](double value) { return std::isnan(value); };
@@ -58,7 +65,7 @@ std::optional<ReadStudy> logarithms_of(const ReadStudy& study, const std::vector
     return std::nullopt;
   ReadStudy logarithms = study;
   logarithms.form = *form;
-  logarithms.target = logarithm(study.target)
+  logarithms.target = logarithm(study.target, {})
                           .value_or(Symbolic::function(
                               "log", {Symbolic::function("max", {study.target, Symbolic::number("0")})}));
   logarithms.weight = Symbolic::number("1");
