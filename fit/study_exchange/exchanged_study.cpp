@@ -7,7 +7,7 @@
 #include "fit/quadrature/gauss.hpp"
 #include "fit/study/study_fit.hpp"
 #include "fit/study_exchange/constrained_study.hpp"
-#include "fit/study_exchange/logarithms.hpp"
+#include "fit/study_panels/logarithms.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -1,4 +1,4 @@
-#include "fit/study_exchange/logarithms.hpp"
+#include "fit/study_panels/logarithms.hpp"
 
 #include <algorithm>
 #include <cmath>
