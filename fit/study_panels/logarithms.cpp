@@ -60,14 +60,19 @@ std::optional<ReadStudy> logarithms_of(const ReadStudy& study, const std::vector
   const auto form = logarithm(study.form, study.parameters);
   if (!form) return std::nullopt;
   const StudyNodes nodes = nodes_of(study, edges_of(study), gauss_sizes[0]);
-  const auto has_none = [](double value) { return std::isnan(value); };
-  if (std::ranges::any_of(values_at_nodes(study, at_parameters(study, *form, parameters), nodes), has_none))
-    return std::nullopt;
+  const auto all = [&](const Symbolic& formula, bool (*holds)(double)) {
+    return std::ranges::all_of(values_at_nodes(study, at_parameters(study, formula, parameters), nodes),
+                               holds);
+  };
+  constexpr auto is_size = [](double value) { return value >= 0; };
+  constexpr auto is_number = [](double value) { return !std::isnan(value); };
+  if (!all(study.form, is_size) || !all(*form, is_number)) return std::nullopt;
+  // The laws of powers do not see the sign of a target.
+  const auto target = all(study.target, is_size) ? logarithm(study.target, {}) : std::nullopt;
   ReadStudy logarithms = study;
   logarithms.form = *form;
-  logarithms.target = logarithm(study.target, {})
-                          .value_or(Symbolic::function(
-                              "log", {Symbolic::function("max", {study.target, Symbolic::number("0")})}));
+  logarithms.target = target.value_or(
+      Symbolic::function("log", {Symbolic::function("max", {study.target, Symbolic::number("0")})}));
   logarithms.weight = Symbolic::number("1");
   logarithms.error = Error::absolute;
   logarithms.residual.reset();

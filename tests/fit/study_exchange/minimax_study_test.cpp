@@ -127,6 +127,14 @@ TEST(MinimaxStudy, KeepsAnExponentialToItsSideWhereItIsNextToNothing) {
   EXPECT_EQ(solve_minimax_study(read_study(scaled), {}, {}).status, Status::converged);
 }
 
+// The target is negative from x = 1/2 on, where it asks for nothing: the form touches it at x = 0 alone.
+TEST(MinimaxStudy, KeepsAnExponentialAboveATargetThatChangesSign) {
+  const Study study{.target = "(0.5 - x)^3", .form = "exp(b - x)", .over = {{"x", "0", "1"}}};
+  const StudyFit fit = solve_minimax_study(read_study(study), {.one_sided = Side::above}, {});
+  ASSERT_EQ(fit.status, Status::converged) << fit.why;
+  EXPECT_NEAR(fit.parameters[0], std::log(0.125), 1e-13);
+}
+
 // Of glass from inside, whose target is 1 up to the critical angle: (1-c)^4/(1 + a c) comes nearer and nearer
 // as a falls, until its pole enters the range.
 TEST(MinimaxStudy, StaysOnItsSideOfAPole) {
