@@ -125,7 +125,7 @@ struct StudyExtras {
   std::vector<std::optional<StudySensitivity>> sensitivities;
 };
 
-/// The values of the first published set. There are none without a set, or if one of them is a formula.
+/// The values of the first published set. There are none without a set, or if a text has no value.
 std::vector<double> published_values(const FittedStudy& study) {
   std::vector<double> values;
   if (study.published.empty()) return values;
