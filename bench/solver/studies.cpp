@@ -9,6 +9,7 @@
 #include "fit/quadrature/gauss.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study_squares/prepared_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 
 /// The Fresnel pair as a study, that is from text, beside its compiled family.
@@ -62,11 +63,23 @@ void fit_from_text(benchmark::State& state) {
   state.counters["digits"] = fit.digits;
 }
 
+void fit_prepared(benchmark::State& state) {
+  PreparedStudy prepared(pair);
+  StudyFit fit;
+  for (auto _ : state) {
+    fit = prepared.fit({-5, -7});
+    benchmark::DoNotOptimize(fit);
+  }
+  require(fit.status == Status::converged, "the fit did not converge");
+  state.counters["digits"] = fit.digits;
+}
+
 }  // namespace
 
 void register_studies() {
   benchmark::RegisterBenchmark("study/gradient/family", rate_of_family)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/fit/prepared", fit_prepared)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
 }
 

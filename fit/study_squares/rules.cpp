@@ -29,8 +29,13 @@ std::size_t Rules::last() const {
   return result;
 }
 
+void Rules::forget_samples() {
+  std::apply([](auto&... kept) { (kept.reset(), ...); }, kept_);
+}
+
 void Rules::move_kinks(const std::vector<double>& parameters) {
   if (!has_moving_kinks()) return;
+  forget_samples();
   if (study_.axes.size() == 1) {
     std::vector<Symbolic> kinks;
     for (const Symbolic& kink : kinks_) kinks.push_back(at_parameters(study_, kink, parameters));
@@ -53,7 +58,9 @@ bool Rules::cut_panels(const std::vector<double>& parameters) {
   edges_.front() = {edges.front()};
   for (std::size_t i = 1; i < edges.size(); ++i)
     cut_panel(edges[i - 1], edges[i], parameters, of_panels[i - 1], whole, 0, edges_.front());
-  return edges_.front().size() > edges.size();
+  const bool are_cut = edges_.front().size() > edges.size();
+  if (are_cut) forget_samples();
+  return are_cut;
 }
 
 /// The integrals of error^2 and of the square of each derivative over a panel.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "fit/quadrature/rule_choice.hpp"
@@ -13,6 +14,7 @@
 namespace shadefit {
 
 /// The nodes of one rule after the other, each sampled when it is needed. A rule is an index of `fit_rules`.
+/// One thread uses it at a time.
 class Rules {
  public:
   /// Refers to both.
@@ -35,9 +37,12 @@ class Rules {
   SampledStudy<T> sampled(const StudyNodes& nodes) const {
     return SampledStudy<T>(error_, nodes);
   }
+  /// It is kept until the panels change or another rule is asked for.
   template <class T>
-  SampledStudy<T> sampled(std::size_t rule) const {
-    return sampled<T>(nodes(rule));
+  const SampledStudy<T>& sampled(std::size_t rule) const {
+    auto& kept = std::get<std::optional<Sampled<T>>>(kept_);
+    if (!kept || kept->rule != rule) kept.emplace(Sampled<T>{rule, sampled<T>(nodes(rule))});
+    return kept->study;
   }
 
   const std::vector<std::vector<StudyEdge>>& edges() const { return edges_; }
@@ -53,6 +58,13 @@ class Rules {
   bool cut_panels(const std::vector<double>& parameters);
 
  private:
+  template <class T>
+  struct Sampled {
+    std::size_t rule;
+    SampledStudy<T> study;
+  };
+
+  void forget_samples();
   VectorOf<double> squares(StudyEdge left, StudyEdge right, const std::vector<double>& parameters,
                            std::size_t rule) const;
   void cut_panel(StudyEdge left, StudyEdge right, const std::vector<double>& parameters,
@@ -64,6 +76,7 @@ class Rules {
   std::vector<Symbolic> kinks_ = {};                ///< those that parameters move
   std::optional<ReadStudy> frozen_ = std::nullopt;  ///< of several variables, at the parameters of the kinks
   std::vector<std::vector<StudyEdge>> fixed_ = {}, edges_ = {};
+  mutable std::tuple<std::optional<Sampled<double>>, std::optional<Sampled<long double>>> kept_ = {};
 };
 
 /// The edges of the single variable of a study, with cuts between them: small rules agree on each panel on

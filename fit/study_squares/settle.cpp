@@ -48,9 +48,8 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
   fit.parameters = candidate.parameters;
   long double best = HUGE_VALL;
   for (std::size_t rule = rules.first(); rule < rules.last(); ++rule) {
-    std::optional<SampledStudy<double>> sampled;
-    if (rule > rules.first() || searched == nullptr) sampled.emplace(rules.sampled<double>(rule));
-    const SampledStudy<double>& fine = sampled ? *sampled : *searched;
+    const bool is_searched = searched != nullptr && rule == rules.first();
+    const SampledStudy<double>& fine = is_searched ? *searched : rules.sampled<double>(rule);
     std::vector<double> parameters = fit.parameters;
     const auto hessian = polish(fine, parameters);
     if (!hessian) {
@@ -58,7 +57,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
       fit.why = "Newton's method did not find a minimum";
       return fit;
     }
-    const auto wide = rules.sampled<long double>(rule + 1);
+    const auto& wide = rules.sampled<long double>(rule + 1);
     const std::vector<long double> at(parameters.begin(), parameters.end());
     const auto sums = wide.gradient(at);
     const ParameterMatrix<double> inverse = ScaledHessian(*hessian).inverse();

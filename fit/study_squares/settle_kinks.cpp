@@ -53,8 +53,9 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate) {
   long double best = HUGE_VALL;
   for (int i = 0, stalls = 0; i < step_limit && stalls < stall_limit; ++i) {
     rules.move_kinks(at);
-    const auto sampled = rules.sampled<double>(rule);
+    const auto& sampled = rules.sampled<double>(rule);
     const auto sums = sampled.derivatives(at);
+    const double norm = sampled.target_norm();  // before kinks move: then the samples are forgotten
     // A step that leads up is halved.
     if (!(sums.square <= square * (1 + 1e-12)) && shortening > 1e-4) {
       shortening /= 2;
@@ -62,7 +63,6 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate) {
       continue;
     }
     if ((sums.hessian.diagonal().array() == 0).any()) break;
-    const double norm = sampled.target_norm();
     MatrixOf<double> hessian = hessian_with_kinks(rules, rule, at, sums.hessian, norm);
     const bool is_at_minimum = hessian.allFinite() && is_minimum(ScaledHessian(hessian).scaled);
     if (!is_at_minimum) hessian = sums.hessian;

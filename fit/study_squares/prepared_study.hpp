@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/study/study.hpp"
+#include "fit/study/study_fit.hpp"
+#include "fit/study/study_problem.hpp"
+#include "fit/study_squares/rules.hpp"
+
+/// Many least-squares fits of one study.
+namespace shadefit {
+
+/// A study whose formulas are read, recorded and sampled once. One thread uses it at a time. It keeps its
+/// place: its parts point to each other.
+class PreparedStudy {
+ public:
+  /// Throws UserError like `read_study`, and where target or weight have no value.
+  explicit PreparedStudy(const Study& study);
+  PreparedStudy(const PreparedStudy&) = delete;
+  PreparedStudy& operator=(const PreparedStudy&) = delete;
+
+  /// The free parameters, in the order of starts and answers.
+  const std::vector<std::string>& parameters() const { return study_.parameters; }
+
+  /// The bottom of the basin of a start, with the digits that the next rule in long double confirms and its
+  /// rms error. No other basin is looked for, and no largest error: `fit_study` does that. A start without a
+  /// finite error does not converge.
+  StudyFit fit(const std::vector<double>& start);
+
+ private:
+  ReadStudy study_;
+  StudyError error_;
+  Rules rules_;
+  bool has_cut_panels_ = false;
+};
+
+}  // namespace shadefit

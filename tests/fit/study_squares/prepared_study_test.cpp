@@ -1,0 +1,63 @@
+#include "fit/study_squares/prepared_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/study_squares/solve_study.hpp"
+
+/// Fits of a study that is read once.
+namespace shadefit {
+namespace {
+
+/// Every start in the basin gives the answer of the search, to the digits that both claim.
+void expect_the_answer_of_the_search(const Study& study, const std::vector<std::vector<double>>& starts) {
+  const StudyFit searched = solve_study(read_study(study), {});
+  PreparedStudy prepared(study);
+  EXPECT_EQ(prepared.parameters(), searched.names);
+  for (const std::vector<double>& start : starts) {
+    const StudyFit fit = prepared.fit(start);
+    ASSERT_EQ(fit.status, Status::converged) << study.form << ": " << fit.why;
+    EXPECT_GE(fit.digits, searched.digits - 1) << study.form;
+    for (std::size_t i = 0; i < start.size(); ++i)
+      EXPECT_NEAR(fit.parameters[i] / searched.parameters[i], 1, 1e-12)
+          << study.form << ", from " << start[i];
+    // Ten digits of an rms error are printed.
+    EXPECT_NEAR(fit.rms_error / searched.rms_error, 1, 1e-10) << study.form;
+  }
+}
+
+TEST(PreparedStudy, HasTheAnswerOfTheSearchFromEveryStart) {
+  expect_the_answer_of_the_search(
+      {.target = "(1-c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}},
+      {{-5.55473, -6.98316}, {-5, -7}, {-8, -4}, {-5.55473, -6.98316}});
+}
+
+TEST(PreparedStudy, CutsThePanelsOfALobe) {
+  expect_the_answer_of_the_search(
+      {.target = "exp(-400 (1 - c))", .form = "c^(b/8)", .over = {{"c", "0", "1"}}}, {{3000}, {3300}});
+}
+
+TEST(PreparedStudy, FollowsKinksThatItsParametersMove) {
+  expect_the_answer_of_the_search({.target = "sqrt(x)", .form = "min(a x, b)", .over = {{"x", "0", "1"}}},
+                                  {{1.5, 0.9}, {2, 0.8}});
+}
+
+TEST(PreparedStudy, FitsRows) {
+  const auto rows = std::make_shared<MeasuredRows>(MeasuredRows{
+      .file = {}, .places = {{0, 1, 2, 3, 4}}, .value = {1.1, 0.58, 0.41, 0.18, 0.15}, .sigma = {}});
+  expect_the_answer_of_the_search(
+      {.target = "", .form = "a exp(-b x)", .over = {{"x", "", ""}}, .rows = rows}, {{1, 0.5}, {2, 1}});
+}
+
+TEST(PreparedStudy, SaysWhyAStartHasNoAnswer) {
+  PreparedStudy prepared({.target = "exp(-x)", .form = "log(a + x)", .over = {{"x", "0", "1"}}});
+  const StudyFit fit = prepared.fit({-3});
+  EXPECT_NE(fit.status, Status::converged);
+  EXPECT_FALSE(fit.why.empty());
+}
+
+}  // namespace
+}  // namespace shadefit
