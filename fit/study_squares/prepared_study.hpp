@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fit/study/study.hpp"
@@ -23,8 +24,8 @@ class PreparedStudy {
   const std::vector<std::string>& parameters() const { return study_.parameters; }
 
   /// The bottom of the basin of a start, with the digits that the next rule in long double confirms and its
-  /// rms error. No other basin is looked for, and no largest error: `fit_study` does that. A start without a
-  /// finite error does not converge.
+  /// rms error. No other basin is looked for, and no largest error: `solve_study` does that. A start without
+  /// a finite error does not converge.
   StudyFit fit(const std::vector<double>& start);
 
  private:
