@@ -125,7 +125,8 @@ struct StudyExtras {
   std::vector<std::optional<StudySensitivity>> sensitivities;
 };
 
-/// The values of the first published set. There are none without a set, or if a text has no value.
+/// Returns the numbers of the first published set. The result is empty if there is no set, or if one of its
+/// texts is not a number.
 std::vector<double> published_values(const FittedStudy& study) {
   std::vector<double> values;
   if (study.published.empty()) return values;

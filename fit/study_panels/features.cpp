@@ -10,6 +10,7 @@
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_panels/enclosed_curve.hpp"
+#include "fit/support/decimal.hpp"
 
 namespace shadefit {
 namespace {
@@ -207,6 +208,11 @@ Features features_of_error(const ReadStudy& study, const std::vector<double>& pa
   at.form = at_parameters(study, study.form, parameters);
   if (study.residual) at.residual = at_parameters(study, *study.residual, parameters);
   return features_of(error_formula(at), at.axes.front(), edges_of(at, 0), share);
+}
+
+std::string why_unresolved(const ReadStudy& study, double place) {
+  return "more happens near " + study.axes.front().variable + " = " + decimal(place, 6) +
+         " than samples explain";
 }
 
 }  // namespace shadefit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fit/study/study.hpp"
@@ -38,5 +39,8 @@ std::optional<double> cut_at_features(ReadStudy& study);
 
 /// The same for its error at some parameters.
 Features features_of_error(const ReadStudy& study, const std::vector<double>& parameters);
+
+/// Why a fit is unresolved: the place where more boxes would be needed.
+std::string why_unresolved(const ReadStudy& study, double place);
 
 }  // namespace shadefit

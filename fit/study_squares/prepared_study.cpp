@@ -1,13 +1,30 @@
 #include "fit/study_squares/prepared_study.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <utility>
+
 #include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study_panels/features.hpp"
+#include "fit/study_panels/limits.hpp"
 #include "fit/study_squares/settle.hpp"
 
 namespace shadefit {
+namespace {
+
+ReadStudy with_limits(ReadStudy study) {
+  take_limits(study);
+  return study;
+}
+
+}  // namespace
 
 PreparedStudy::PreparedStudy(const Study& study)
-    : study_(read_study(study)), error_(study_), rules_(study_, error_) {
+    : study_(with_limits(read_study(study))),
+      unresolved_(cut_at_features(study_)),
+      error_(study_),
+      rules_(study_, error_) {
   require_values(study_, rules_.nodes(rules_.first()));
   require_dependence(study_, error_.is_open());
 }
@@ -15,9 +32,9 @@ PreparedStudy::PreparedStudy(const Study& study)
 StudyFit PreparedStudy::fit(const std::vector<double>& start) {
   StudyFit fit;
   // Between kinks that move, sums over few nodes have basins of their own.
-  const SampledStudy<double>& sampled =
+  const SampledStudy<double>& scan =
       rules_.sampled<double>(rules_.has_moving_kinks() ? rules_.last() : rules_.first());
-  const auto ends = search_basins(error_, sampled, sampled, {.count = 0, .octaves = 0, .given = {start}});
+  const auto ends = search_basins(error_, scan, scan, {.count = 0, .octaves = 0, .given = {start}});
   if (ends.empty()) {
     fit.why = "the way down from the start leads to a pole, or the form has no finite value there";
   } else if (rules_.has_moving_kinks()) {
@@ -27,6 +44,12 @@ StudyFit PreparedStudy::fit(const std::vector<double>& start) {
     if (!has_cut_panels_) rules_.cut_panels(ends.front().parameters);
     has_cut_panels_ = true;
     fit = settle(rules_, ends.front(), nullptr);
+    const bool is_linear = std::ranges::all_of(error_.is_linear(), std::identity{});
+    fit = with_all_digits(study_, rules_, rules_.sampled<double>(rules_.first()), is_linear, std::move(fit));
+  }
+  if (fit.status == Status::converged && unresolved_) {
+    fit.status = Status::unresolved;
+    fit.why = why_unresolved(study_, *unresolved_);
   }
   fit.names = study_.parameters;
   return fit;

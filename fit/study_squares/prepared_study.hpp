@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace shadefit {
 /// place: its parts point to each other.
 class PreparedStudy {
  public:
-  /// Throws UserError like `read_study`, and where target or weight have no value.
+  /// Throws UserError like `read_study`, and where target or weight have no value. The panels see what the
+  /// target does, narrow or not; where they cannot, no fit converges.
   explicit PreparedStudy(const Study& study);
   PreparedStudy(const PreparedStudy&) = delete;
   PreparedStudy& operator=(const PreparedStudy&) = delete;
@@ -30,6 +32,7 @@ class PreparedStudy {
 
  private:
   ReadStudy study_;
+  std::optional<double> unresolved_;
   StudyError error_;
   Rules rules_;
   bool has_cut_panels_ = false;

@@ -19,14 +19,11 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate);
 /// The optimum of a form that is linear in all parameters, in long double, by one rule after the other.
 StudyFit settle_linear(const Rules& rules);
 
-/// The optimum in 50 digits, by one rule after the other. `start` is near it, or the form is linear in all
-/// parameters.
-StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const std::vector<double>& start);
-
-/// Whether a parameter may move in its last digits by the roundings of errors in long double, which are
-/// shares of the target, and the nodes are few enough for errors in 50 digits. Without parameters, which did
-/// not settle, it may.
-bool needs_50_digits(const ReadStudy& study, const SampledStudy<double>& sampled,
-                     const std::vector<double>& parameters);
+/// A fit as Newton's method left it, with the digits that its data have. A form that is linear in all
+/// parameters needs no start: long double solves it where Newton's method failed. Where roundings of long
+/// double may move a parameter in its last digits, and the nodes are few enough, 50 digits settle it.
+/// `sampled` is under the first rule.
+StudyFit with_all_digits(const ReadStudy& study, const Rules& rules, const SampledStudy<double>& sampled,
+                         bool is_linear, StudyFit fit);
 
 }  // namespace shadefit

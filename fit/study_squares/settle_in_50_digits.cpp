@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "fit/least_squares/digits.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
@@ -23,21 +25,24 @@ long double rounding_of_nodes(const ReadStudy& study) {
   return 64 * rounding * farthest;
 }
 
-}  // namespace
-
+/// Whether a parameter may move in its last digits by the roundings of errors in long double, which are
+/// shares of the target, and the nodes are few enough for errors in 50 digits. Without parameters, which did
+/// not settle, it may.
 bool needs_50_digits(const ReadStudy& study, const SampledStudy<double>& sampled,
                      const std::vector<double>& parameters) {
   constexpr std::size_t most_nodes = 3000;  // more take a second
   // Fits near given starts are compared with printed digits, which are fewer.
-  if (study.has_only_starts || sampled.size() > most_nodes || integral_depth(error_formula(study)) > 0)
-    return false;
-  if (parameters.empty()) return true;
+  if (study.has_only_starts || sampled.size() > most_nodes) return false;
+  const auto has_integral = [&] { return integral_depth(error_formula(study)) > 0; };
+  if (parameters.empty()) return !has_integral();
   const VectorOf<double> spread =
       ScaledHessian(sampled.derivatives(parameters).hessian).inverse().diagonal().cwiseAbs().cwiseSqrt();
   const VectorOf<double> moved = static_cast<double>(16 * rounding) * sampled.target_norm() * spread;
-  return !(moved.array() <= settled * vector_of(parameters).array().abs()).all();
+  return !(moved.array() <= settled * vector_of(parameters).array().abs()).all() && !has_integral();
 }
 
+/// The optimum in 50 digits, by one rule after the other. `start` is near it, or the form is linear in all
+/// parameters.
 StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const std::vector<double>& start) {
   constexpr std::size_t most_nodes = 30000;
   constexpr long double of_50_digits = 1e-48L;
@@ -80,6 +85,27 @@ StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const s
                   : "the largest quadrature rule still moves a parameter in its sixth digit";
     if (size <= settled) break;
   }
+  return fit;
+}
+
+}  // namespace
+
+StudyFit with_all_digits(const ReadStudy& study, const Rules& rules, const SampledStudy<double>& sampled,
+                         bool is_linear, StudyFit fit) {
+  if (fit.status != Status::converged && is_linear) {
+    StudyFit linear = settle_linear(rules);
+    if (fit.status == Status::not_converged) fit.why = linear.why;
+    if (!linear.parameters.empty()) fit = std::move(linear);
+  }
+  const bool is_converged = fit.status == Status::converged;
+  if (is_converged ? rules.has_moving_kinks() : !is_linear) return fit;
+  if (!needs_50_digits(study, sampled, is_converged ? fit.parameters : std::vector<double>{})) return fit;
+  const std::vector<double> origin(sampled.parameter_count());
+  StudyFit precise = settle_in_50_digits(study, rules, is_linear ? origin : fit.parameters);
+  if (!precise.parameters.empty()) return precise;
+  if (fit.status == Status::degenerate) return fit;
+  fit.status = Status::not_converged;
+  fit.why = precise.why;
   return fit;
 }
 

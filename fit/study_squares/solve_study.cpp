@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/study/largest_error.hpp"
@@ -55,22 +56,7 @@ StudyFit settled_fit(const ReadStudy& study, Rules& rules, const SearchedStudy& 
     const bool has_same_panels = !rules.cut_panels(chosen.parameters) && !rules.has_moving_kinks();
     fit = settle(rules, chosen, has_same_panels ? &searched.sampled : nullptr);
   }
-  if (fit.status != Status::converged && searched.is_linear) {
-    StudyFit linear = settle_linear(rules);
-    if (fit.status == Status::not_converged) fit.why = linear.why;
-    if (!linear.parameters.empty()) fit = std::move(linear);
-  }
-  const bool is_converged = fit.status == Status::converged;
-  if (is_converged ? rules.has_moving_kinks() : !searched.is_linear) return fit;
-  if (!needs_50_digits(study, searched.sampled, is_converged ? fit.parameters : std::vector<double>{}))
-    return fit;
-  const std::vector<double> origin(chosen.parameters.size());
-  StudyFit precise = settle_in_50_digits(study, rules, searched.is_linear ? origin : fit.parameters);
-  if (!precise.parameters.empty()) return precise;
-  if (fit.status == Status::degenerate) return fit;
-  fit.status = Status::not_converged;
-  fit.why = precise.why;
-  return fit;
+  return with_all_digits(study, rules, searched.sampled, searched.is_linear, std::move(fit));
 }
 
 }  // namespace

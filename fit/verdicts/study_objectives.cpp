@@ -282,8 +282,7 @@ StudyFit seen_fit(ReadStudy& study, const Solve& solve) {
   const bool is_open = fit.status == Status::converged || fit.status == Status::not_converged;
   if (!is_open || !unresolved) return fit;
   fit.status = Status::unresolved;
-  fit.why = "more happens near " + study.axes.front().variable + " = " + decimal(*unresolved, 6) +
-            " than samples explain";
+  fit.why = why_unresolved(study, *unresolved);
   return fit;
 }
 

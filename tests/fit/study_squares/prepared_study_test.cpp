@@ -40,6 +40,25 @@ TEST(PreparedStudy, CutsThePanelsOfALobe) {
       {.target = "exp(-400 (1 - c))", .form = "c^(b/8)", .over = {{"c", "0", "1"}}}, {{3000}, {3300}});
 }
 
+// By mpmath: the normal equations of integrals in 30 digits that are split at the line.
+TEST(PreparedStudy, SeesANarrowLine) {
+  PreparedStudy prepared(
+      {.target = "acos(x) + 0.1 exp(-((x - 0.3432)/0.003)^2)", .form = "a + b x", .over = {{"x", "0", "1"}}});
+  const StudyFit fit = prepared.fit({1, -1});
+  ASSERT_EQ(fit.status, Status::converged) << fit.why;
+  EXPECT_NEAR(fit.parameters[0] / 1.64483750333780629880475154758, 1, 1e-13);
+  EXPECT_NEAR(fit.parameters[1] / -1.28861153436506928799312419466, 1, 1e-13);
+  EXPECT_NEAR(fit.rms_error / 0.0590575768447314234776654811635, 1, 1e-10);
+}
+
+// x^2 is below the rounding of 1 + x^2 in long double.
+TEST(PreparedStudy, HasTheDigitsThatLongDoubleRoundsAway) {
+  PreparedStudy prepared({.target = "1 + x^2", .form = "a + b x^2", .over = {{"x", "0", "1e-12"}}});
+  const StudyFit fit = prepared.fit({2, 3});
+  ASSERT_EQ(fit.status, Status::converged) << fit.why;
+  EXPECT_EQ(fit.parameters, (std::vector<double>{1, 1}));
+}
+
 TEST(PreparedStudy, FollowsKinksThatItsParametersMove) {
   expect_the_answer_of_the_search({.target = "sqrt(x)", .form = "min(a x, b)", .over = {{"x", "0", "1"}}},
                                   {{1.5, 0.9}, {2, 0.8}});
