@@ -9,12 +9,17 @@
 #include "fit/study_panels/features.hpp"
 #include "fit/study_panels/limits.hpp"
 #include "fit/study_squares/settle.hpp"
+#include "fit/study_squares/solve_in_units.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
 ReadStudy with_limits(ReadStudy study) {
   take_limits(study);
+  if (needs_units(study))
+    throw UserError("--over '" + study.axes.front().variable +
+                    "': its range, the target or a parameter is too far from 1; write them in other units");
   return study;
 }
 

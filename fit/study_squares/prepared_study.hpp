@@ -16,8 +16,9 @@ namespace shadefit {
 /// place: its parts point to each other.
 class PreparedStudy {
  public:
-  /// Throws UserError like `read_study`, and where target or weight have no value. The panels see what the
-  /// target does, narrow or not; where they cannot, no fit converges.
+  /// Throws UserError like `read_study`, where target or weight have no value, and if the range, the target
+  /// or a likely parameter is beyond 2^32 or below 2^-32: those fits need units of their own. The panels see
+  /// what the target does, narrow or not; where they cannot, no fit converges.
   explicit PreparedStudy(const Study& study);
   PreparedStudy(const PreparedStudy&) = delete;
   PreparedStudy& operator=(const PreparedStudy&) = delete;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "fit/least_squares/digits.hpp"
 #include "fit/scalars/likely_sizes.hpp"
@@ -27,6 +29,16 @@ Units units_of_range(const ReadStudy& study) {
   const auto sizes = likely_sizes(study.form, study.parameters, units, units[""]);
   for (std::size_t i = 0; i < sizes.size(); ++i) units[study.parameters[i]] = std::round(sizes[i]);
   return units;
+}
+
+/// The units of a study of which some number is far from 1.
+std::optional<Units> far_units(const ReadStudy& study) {
+  // The square of an eighth power of a size nearer to 1 is still a double.
+  constexpr double far = 32;
+  if (study.rows || study.axes.size() > 1 || study.residual) return std::nullopt;
+  Units units = units_of_range(study);
+  const auto is_near = [](const auto& unit) { return std::abs(unit.second) <= far; };
+  return std::ranges::all_of(units, is_near) ? std::nullopt : std::optional(std::move(units));
 }
 
 Symbolic times_power_of_two(const Symbolic& e, double exponent) {
@@ -89,18 +101,18 @@ StudyFit in_own_units(const ReadStudy& study, const Units& units, StudyFit fit) 
 
 }  // namespace
 
+bool needs_units(const ReadStudy& study) {
+  return far_units(study).has_value();
+}
+
 StudyFit solve_in_units(const ReadStudy& study, const std::vector<Held>& starts, const SolveStudy& solve) {
-  // The square of an eighth power of a size nearer to 1 is still a double.
-  constexpr double far = 32;
-  if (study.rows || study.axes.size() > 1 || study.residual) return solve(study, starts);
-  const Units units = units_of_range(study);
-  if (std::ranges::all_of(units, [](const auto& unit) { return std::abs(unit.second) <= far; }))
-    return solve(study, starts);
+  const std::optional<Units> units = far_units(study);
+  if (!units) return solve(study, starts);
   std::vector<Held> from = starts;
-  for (Held& start : from) start.value = moved(start.value, units.at(start.parameter), -1);
+  for (Held& start : from) start.value = moved(start.value, units->at(start.parameter), -1);
   try {
-    const StudyFit fit = solve(in_units(study, units), from);
-    if (fit.status == Status::converged) return in_own_units(study, units, fit);
+    const StudyFit fit = solve(in_units(study, *units), from);
+    if (fit.status == Status::converged) return in_own_units(study, *units, fit);
   } catch (const UserError&) {
     // In the study's own units the same fault has the numbers that its user knows.
   }

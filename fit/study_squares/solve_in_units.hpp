@@ -16,4 +16,8 @@ using SolveStudy = std::function<StudyFit(const ReadStudy& study, const std::vec
 /// if some are very far from it: squares of 1e-200 are nothing in double. The units are powers of two.
 StudyFit solve_in_units(const ReadStudy& study, const std::vector<Held>& starts, const SolveStudy& solve);
 
+/// Whether a study of one variable has a range, a target or a likely parameter so far from 1 that
+/// `solve_in_units` changes its units.
+bool needs_units(const ReadStudy& study);
+
 }  // namespace shadefit

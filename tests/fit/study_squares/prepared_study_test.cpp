@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/study_squares/solve_study.hpp"
+#include "tests/refusal.hpp"
 
 /// Fits of a study that is read once.
 namespace shadefit {
@@ -51,9 +52,9 @@ TEST(PreparedStudy, SeesANarrowLine) {
   EXPECT_NEAR(fit.rms_error / 0.0590575768447314234776654811635, 1, 1e-10);
 }
 
-// x^2 is below the rounding of 1 + x^2 in long double.
+// Of 1 + x^2 long double keeps eleven digits of x^2.
 TEST(PreparedStudy, HasTheDigitsThatLongDoubleRoundsAway) {
-  PreparedStudy prepared({.target = "1 + x^2", .form = "a + b x^2", .over = {{"x", "0", "1e-12"}}});
+  PreparedStudy prepared({.target = "1 + x^2", .form = "a + b x^2", .over = {{"x", "0", "1e-4"}}});
   const StudyFit fit = prepared.fit({2, 3});
   ASSERT_EQ(fit.status, Status::converged) << fit.why;
   EXPECT_EQ(fit.parameters, (std::vector<double>{1, 1}));
@@ -76,6 +77,14 @@ TEST(PreparedStudy, SaysWhyAStartHasNoAnswer) {
   const StudyFit fit = prepared.fit({-3});
   EXPECT_NE(fit.status, Status::converged);
   EXPECT_FALSE(fit.why.empty());
+}
+
+// b is 1 there, and no square in double tells.
+TEST(PreparedStudy, RefusesNumbersThatNeedUnits) {
+  EXPECT_EQ(testing::refusal([] {
+              PreparedStudy({.target = "exp(x)", .form = "a + b x", .over = {{"x", "0", "1e-200"}}});
+            }),
+            "--over 'x': its range, the target or a parameter is too far from 1; write them in other units");
 }
 
 }  // namespace
