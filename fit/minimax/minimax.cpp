@@ -107,7 +107,10 @@ class RemezExchange {
         size /= 2;
         go_to(base, step);
       }
-      if (size < last_step) {
+      // A step that is small beside a parameter may be large beside what the error sees of it: 4 + 1e-8 for
+      // the lobe of k = 1e8. Then the programme still promises a lower level.
+      constexpr double same_level = 1e-6, roundings = 1e-15;
+      if (size < last_step && (size < roundings || best - expected_ < same_level * best)) {
         ++result_.iterations;
         return !leads_out_ || stop_at_border();
       }
@@ -154,7 +157,7 @@ class RemezExchange {
   /// If it does not, a short step means that the level has reached its rounding, and Newton finishes. A long
   /// step means that the level does not determine the parameters.
   bool stall(double best, double size) {
-    if (best - expected_ >= 1e-9 * best)
+    if (best - expected_ >= 1e-9 * best && size >= last_step)
       return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
     // With 15 parameters rounding alone makes steps of 1.4e-4. A level that does not determine a parameter
     // allows steps of its own size.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "fit/minimax/minimax.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/constrained_study.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
@@ -83,6 +85,19 @@ ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, cons
         "the largest error is at a kink that the parameters move: the exchange does not settle there";
   }
   return end;
+}
+
+/// How far roundings of the parameters, of the form and of the target move the error at a place.
+double rounding_at(const StudyError& error, const std::vector<double>& parameters,
+                   const std::vector<double>& place) {
+  const SampledStudy<double> sampled(error, {{{place.front()}}, {1}});
+  VectorOf<double> errors;
+  MatrixOf<double> slopes;
+  sampled.errors(parameters, errors, &slopes);
+  double rounding = 8 * sampled.target_norm();
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    rounding += std::abs(parameters[i] * slopes(0, static_cast<Eigen::Index>(i)));
+  return rounding * std::numeric_limits<double>::epsilon();
 }
 
 /// Whether the first end is the better answer. A level that is higher than one that was seen is no answer,
@@ -166,11 +181,15 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
     linear.is_global = true;
     fit = std::move(linear);
   }
-  if (fit.status == Status::infeasible)
-    throw UserError("the form cannot satisfy the constraints: " + fit.why);
+  if (fit.status == Status::infeasible) throw Infeasible(fit.why);
   if (fit.status != Status::converged) return fit;
   fit.rms_error = rms_error(study, error, fit.parameters);
   fit.max_abs_error = largest_error(study, {found->edges}, fit.parameters);
+  const bool is_plain = study.error == Error::absolute && is_one(study.weight);
+  const StudyExtremum largest = is_plain ? fit.max_abs_error : largest_weighted_error(study, fit.parameters);
+  constexpr double same_level = 1e-6;
+  if (largest.magnitude > *fit.level * (1 + same_level) + rounding_at(error, fit.parameters, largest.at))
+    fail(fit, Status::not_converged, "the largest error is above the level of the alternation");
   confirm_integrals(study, fit);
   return fit;
 }
