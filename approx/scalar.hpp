@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -148,6 +149,24 @@ T integer(int n) {
 template <class T>
 T constant(std::string_view decimal) {
   return Scalar<T>::from_decimal(decimal);
+}
+
+/// A text as an argument of a template.
+template <std::size_t N>
+struct Literal {
+  char text[N];
+  consteval Literal(const char (&literal)[N]) { std::copy_n(literal, N, text); }
+};
+
+/// The same for a text that is written in a formula: a floating-point scalar converts it once.
+template <class T, Literal decimal>
+T constant() {
+  if constexpr (std::floating_point<T>) {
+    static const T value = constant<T>(decimal.text);
+    return value;
+  } else {
+    return constant<T>(decimal.text);
+  }
 }
 
 /// The circle constant, rounded (or enclosed) in T.

@@ -9,11 +9,13 @@
 #include <type_traits>
 #include <utility>
 
+#include "fit/catalogue_study.hpp"
 #include "fit/families/admissible.hpp"
 #include "fit/family_visit.hpp"
-#include "fit/least_squares/error_scale.hpp"
-#include "fit/least_squares/least_squares.hpp"
-#include "fit/solve.hpp"
+#include "fit/fit_study.hpp"
+#include "fit/least_squares/digits.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
@@ -90,28 +92,34 @@ std::optional<std::pair<Cosine<double>, Cosine<double>>> ends_under(const F& fam
                    Cosine<double>{metric.domain.lower, 1 - metric.domain.lower});
 }
 
-/// The quantity that a metric minimises, at given parameters.
+/// The study of a family under a metric, between the places that count.
 template <class F>
-double objective(const Setting& setting, const Metric& metric, std::span<const double> parameters) {
-  const auto family = make_family<F>(setting);
+Study study_of(const F& family, const Setting& setting, const Metric& metric) {
   const auto ends = ends_under(family, metric);
-  if (!ends) return std::numeric_limits<double>::quiet_NaN();
-  if (pole_of(family, metric.domain, parameters)) return HUGE_VAL;
-  Metric narrowed = metric;
-  narrowed.domain = {ends->second.cos_theta, ends->first.cos_theta};
-  if (metric.norm == Norm::least_squares) return rms_of(AnyFamily(family), narrowed, parameters);
-  const ErrorScale scale(narrowed);
-  const auto p = parameter_array<F>(parameters);
-  const auto error = [&]<class T>(const Cosine<T>& c) {
-    std::array<T, F::parameters.size()> q;
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = lift<T>(p[i]);
-    return error_under(scale, family, sample_under(scale, family, c), q);
+  return study_of(F::info.id, setting, metric, ends->first, ends->second);
+}
+
+template <class F>
+Objective objective(const Setting& setting, const Metric& metric) {
+  const auto family = make_family<F>(setting);
+  if (!ends_under(family, metric))
+    return [](std::span<const double>) { return std::numeric_limits<double>::quiet_NaN(); };
+  Metric free = metric;
+  free.constraints = {};
+  const Objective value = objective_of(study_of(family, setting, free), metric);
+  return [=](std::span<const double> parameters) {
+    return pole_of(family, metric.domain, parameters) ? HUGE_VAL : value(parameters);
   };
-  const Shape shape = shape_under(scale, family.shape()).for_search();
-  return largest_magnitude(error, metric.error == Error::relative
-                                      ? Substitution::between(ends->first, ends->second, shape)
-                                      : Substitution::panels({.domain = narrowed.domain}, shape))
-      .magnitude;
+}
+
+/// The given parameters of a metric by their places.
+template <class F>
+std::array<std::optional<double>, F::parameters.size()> given_parameters(const Constraints& constraints) {
+  std::array<std::optional<double>, F::parameters.size()> given;
+  for (const Held& held : constraints.held)
+    given.at(static_cast<std::size_t>(std::ranges::find(F::parameters, held.parameter) -
+                                      F::parameters.begin())) = held.value;
+  return given;
 }
 
 /// The answer if the form with all free parameters 0 equals its target, in value and slope, at every place of
@@ -123,7 +131,7 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
   constexpr std::size_t N = F::parameters.size();
   std::array<double, N> p{};
   std::array<Jet, N> q{};
-  const auto given = given_parameters(F::parameters, metric.constraints);
+  const auto given = given_parameters<F>(metric.constraints);
   for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i] = given[i].value_or(0));
   const Constraints& constraints = metric.constraints;
   const auto panels = Substitution::panels({.domain = metric.domain}, family.shape().for_search());
@@ -145,18 +153,59 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
   return solution;
 }
 
+/// The starts of a family without its given parameters.
 template <class F>
-Solution solve(const F& family, const Metric& metric) {
-  const auto ends = ends_under(family, metric);
-  if (!ends)
+std::vector<std::vector<double>> free_starts(const F& family, const Constraints& constraints) {
+  const auto given = given_parameters<F>(constraints);
+  std::vector<std::vector<double>> starts;
+  for (const auto& start : family.starts()) {
+    starts.emplace_back();
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (!given[i]) starts.back().push_back(start[i]);
+  }
+  return starts;
+}
+
+/// The fit of a study as one of a family.
+template <class F>
+Solution solution_of(const StudyFit& fit, const Setting& setting, const Constraints& constraints) {
+  Solution solution{.parameters = std::vector<double>(F::parameters.size()),
+                    .status = fit.status,
+                    .digits = fit.digits,
+                    .rms_error = fit.rms_error,
+                    .level = fit.level,
+                    .alternation = fit.alternation,
+                    .why = fit.why};
+  const auto given = given_parameters<F>(constraints);
+  auto next = fit.parameters.begin();
+  for (std::size_t i = 0; i < given.size(); ++i)
+    solution.parameters[i] = given[i] ? *given[i] : next != fit.parameters.end() ? *next++ : 0;
+  std::ranges::reverse(solution.alternation);
+  for (AlternationPoint& point : solution.alternation)
+    point.at = cosine_at(F::info.id, setting, point.at.cos_theta);
+  return solution;
+}
+
+template <class F>
+Solution solve(const F& family, const Setting& setting, const Metric& metric) {
+  if (!ends_under(family, metric))
     return {.parameters = std::vector<double>(F::parameters.size()),
             .status = Status::not_finite,
             .why = "a relative error has no meaning on this domain"};
   if (const auto exact = exact_solution(family, metric)) return *exact;
-  if (metric.norm == Norm::minimax) return solve_by_minimax(family, metric, ends->first, ends->second);
-  Metric narrowed = metric;
-  narrowed.domain = {ends->second.cos_theta, ends->first.cos_theta};
-  return solve_by_squares(family, narrowed);
+  StudyObjective asked{
+      .study = study_of(family, setting, metric), .norm = metric.norm, .constraints = metric.constraints};
+  for (double& place : asked.constraints.exact_at) place = variable_at(F::info.id, setting, place);
+  StudyFit found;
+  try {
+    found = fit_from_starts(asked, free_starts(family, metric.constraints));
+    found.rms_error /= scale_of_weight(asked.study, metric.weight);
+  } catch (const Infeasible& error) {
+    fail(found, Status::infeasible, in_cosines(F::info.id, setting, error.why));
+  } catch (const UserError& error) {
+    fail(found, Status::not_finite, error.what());
+  }
+  return solution_of<F>(found, setting, metric.constraints);
 }
 
 /// Why a solution is rejected: its parameters or its errors contradict its status. Empty if they do not.
@@ -171,12 +220,14 @@ std::string contradiction_in(const F& family, const Fit& fit) {
 template <class F>
 Fit fit(const Setting& setting, const Metric& metric) {
   const auto family = make_family<F>(setting);
-  Fit result{solve(family, metric)};
+  Fit result{solve(family, setting, metric)};
   result.family = &F::info;
   if (!F::info.sweep.empty()) result.exponent = setting.exponent;
   if (is_fresnel_family<F>()) result.surface = setting.surface;
   result.metric = metric;
   result.relative_to = family.relative_to();
+  if (result.status != Status::infeasible && pole_of(family, metric.domain, result.parameters))
+    result.status = has_constraints(metric.constraints) ? Status::infeasible : Status::at_border;
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
     result.max_rel_error = max_rel_error<F>(setting, metric.domain, result.parameters);
@@ -189,9 +240,11 @@ Fit fit(const Setting& setting, const Metric& metric) {
     if (!result.why.empty()) result.status = Status::not_converged;
   }
   if constexpr (HasDenominator<F>) {
+    const std::string rule = rule_of_admission(family, metric.domain);
     if (result.status == Status::at_border)
-      result.why = "the way down leads to the border of the admissible parameters, which is " +
-                   rule_of_admission(family, metric.domain);
+      result.why = "the way down leads to the border of the admissible parameters, which is " + rule;
+    if (result.status == Status::infeasible && result.why.empty())
+      result.why = "no admissible parameters, " + rule + ", meet the constraints";
   }
   return result;
 }

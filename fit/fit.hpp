@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,9 @@ struct CurvePoint {
   std::optional<double> relative_error;  ///< relative to `Fit::relative_to`; empty if it is not finite
 };
 
+/// A number that is to be small, at given parameters. One thread asks it at a time.
+using Objective = std::function<double(std::span<const double> parameters)>;
+
 /// A family behind plain functions; parameters are in the order of `parameters`.
 struct FittableFamily {
   const Family& info;
@@ -55,9 +59,8 @@ struct FittableFamily {
   Extremum (*max_abs_error)(const Setting&, const Domain&, std::span<const double> parameters);
   std::optional<Extremum> (*max_rel_error)(const Setting&, const Domain&, std::span<const double> parameters);
   Effect (*effect)(const Setting&, const Domain&, std::span<const double> from, std::span<const double> to);
-  /// The quantity that the metric minimises, at given parameters: the rms error, or the largest weight *
-  /// |error|.
-  double (*objective)(const Setting&, const Metric&, std::span<const double> parameters);
+  /// The quantity that the metric minimises: the rms error, or the largest weight * |error|.
+  Objective (*objective)(const Setting&, const Metric&);
 
   Symbolic (*target)();  ///< of the cosine c and the exponent k
   Symbolic (*form)();    ///< and of the parameters

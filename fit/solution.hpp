@@ -13,8 +13,7 @@ namespace shadefit {
 struct Solution {
   std::vector<double> parameters;  ///< in the order of the family; an answer only if `status` is converged
   Status status = Status::not_converged;
-  int iterations = 0;  ///< Ceres and Newton steps together
-  int digits = 0;      ///< correct digits of the worst parameter, at most 14
+  int digits = 0;  ///< correct digits of the worst parameter, at most 14
   /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2), with the error of the
   /// metric. A constant weight changes nothing. Never above the largest error.
   double rms_error = 0;

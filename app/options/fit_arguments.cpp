@@ -5,17 +5,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "approx/catalogue.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/results.hpp"
-#include "fit/formula/parse_formula.hpp"
 #include "fit/input/known.hpp"
-#include "fit/least_squares/weight.hpp"
 #include "fit/ledger/ledger.hpp"
+#include "fit/quadrature/rule_choice.hpp"
 #include "fit/rounding/rounding.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
@@ -40,16 +41,19 @@ std::vector<double> exponents_for(const FittableFamily& family, const Published*
   return published != nullptr ? exponents_needed_by(*published, family.info) : parse_sweep(family.info.sweep);
 }
 
-/// Refuses a weight that is not finite, negative, or zero on more than single places of the domain.
+/// Refuses a weight that is not finite or negative on the domain.
 void check_weight(const std::string& text, const Domain& domain) {
-  if (text.size() > longest_formula)
-    throw UserError(fmt::format("--weight is {} characters long: at most {}", text.size(), longest_formula));
-  try {
-    if (const auto fault = find_fault(Weight(text, domain)))
-      throw UserError(fmt::format("--weight '{}' {}", text, *fault));
-  } catch (const std::invalid_argument& error) {
-    throw UserError(fmt::format("--weight: {}", error.what()));
+  const ReadStudy read = read_formulas({.target = "c",
+                                        .form = "c",
+                                        .over = {{"c", to_text(domain.lower), to_text(domain.upper)}},
+                                        .weight = text});
+  for (const double end : {domain.lower, domain.upper}) {
+    const double value = evaluate<double>(read.weight, [&](const std::string&) { return end; });
+    if (!std::isfinite(value))
+      throw UserError(
+          fmt::format("--weight '{}' is {} at c = {}: it must be finite over the domain", text, value, end));
   }
+  require_values(read, nodes_of(read, edges_of(read), fit_rules.back()));
 }
 
 /// Requires that each is a parameter of the family, given once, and that one parameter is left to fit.

@@ -8,33 +8,35 @@
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
-#include "fit/least_squares/least_squares.hpp"
-#include "fit/quadrature/metric.hpp"
+#include "fit/fit.hpp"
+#include "fit/least_squares/digits.hpp"
 #include "fit/support/sweep.hpp"
 
 /// The fits of the benchmarks.
 namespace shadefit::bench {
 
-template <class F>
 struct Problem {
-  F family;
+  const FittableFamily* family;
+  Setting setting;
   Metric metric;
 
-  auto sampled() const { return LeastSquares<F>(family, metric); }
-  auto solve() const { return solve_least_squares(family, metric); }
+  Fit solve() const { return family->fit(setting, metric); }
 };
 
-/// A family under each measure, at each exponent of a sweep; once per measure if it has no exponent.
-template <class F>
-std::vector<Problem<F>> problems(std::span<const Measure> measures, std::string_view sweep = F::info.sweep) {
-  std::vector<Problem<F>> result;
+/// A family under each measure, at each exponent of a sweep, else of its own; once per measure if it has no
+/// exponent.
+inline std::vector<Problem> problems(std::string_view id, std::span<const Measure> measures,
+                                     std::string_view sweep = {}) {
+  const FittableFamily& family = *find_family(id);
+  std::vector<Problem> result;
   for (const Measure measure : measures) {
     const Metric metric{.measure = measure};
-    if constexpr (requires(F f) { f.exponent; }) {
-      for (const double exponent : parse_sweep(sweep)) result.push_back({F{{exponent}}, metric});
-    } else {
-      result.push_back({F{}, metric});
+    if (!family.has_exponent()) {
+      result.push_back({&family, {}, metric});
+      continue;
     }
+    for (const double exponent : parse_sweep(sweep.empty() ? family.info.sweep : sweep))
+      result.push_back({&family, exponent, metric});
   }
   return result;
 }
@@ -52,9 +54,7 @@ struct Tally {
     digits = std::min(digits, more.digits);
     have_all_converged = have_all_converged && more.have_all_converged;
   }
-  void add(const Optimum& optimum) {
-    add({1, optimum.parameters[0], optimum.digits, optimum.status == Status::converged});
-  }
+  void add(const Fit& fit) { add({1, fit.parameters[0], fit.digits, fit.status == Status::converged}); }
 
   /// The counter `digits` shows a fast wrong answer. A fit that did not converge fails the benchmark.
   void show(benchmark::State& state) const {

@@ -5,7 +5,6 @@
 
 #include "bench/solver/benchmarks.hpp"
 #include "bench/solver/problems.hpp"
-#include "fit/families/families.hpp"
 #include "fit/input/parallel.hpp"
 
 namespace shadefit::bench {
@@ -20,9 +19,9 @@ double exponent(long i, long count) {
 /// Every `stride`-th exponent from `first` on: so that each thread has small and large ones, whose costs
 /// differ.
 Tally fit_share(long first, long stride, long count) {
+  const FittableFamily& family = *find_family("sg-offset");
   Tally tally;
-  for (long i = first; i < count; i += stride)
-    tally.add(solve_least_squares(SgOffset{{exponent(i, count)}}, Metric{}));
+  for (long i = first; i < count; i += stride) tally.add(family.fit(exponent(i, count), {}));
   return tally;
 }
 

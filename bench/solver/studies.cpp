@@ -1,18 +1,14 @@
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
-#include "fit/families/families.hpp"
-#include "fit/least_squares/sampled_problem.hpp"
 #include "fit/quadrature/gauss.hpp"
-#include "fit/quadrature/substitution.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_squares/prepared_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 
-/// The Fresnel pair as a study, that is from text, beside its compiled family.
+/// The Fresnel pair as a study.
 namespace shadefit::bench {
 namespace {
 
@@ -27,18 +23,6 @@ void count_nodes(benchmark::State& state) {
 }
 
 /// The error with its derivatives, summed over nodes.
-void rate_of_family(benchmark::State& state) {
-  const FresnelQuadratic family;
-  const SampledProblem<FresnelQuadratic, double> sampled(
-      family, Substitution::panels(Metric{}, family.shape()), nodes);
-  std::array p{-5.55, -6.98};
-  for (auto _ : state) {
-    auto gradient = sampled.gradient(p);
-    benchmark::DoNotOptimize(gradient);
-  }
-  count_nodes(state);
-}
-
 void rate_of_tape(benchmark::State& state) {
   const ReadStudy study = read_study(pair);
   const StudyError error(study);
@@ -77,7 +61,6 @@ void fit_prepared(benchmark::State& state) {
 }  // namespace
 
 void register_studies() {
-  benchmark::RegisterBenchmark("study/gradient/family", rate_of_family)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/prepared", fit_prepared)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);

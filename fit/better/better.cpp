@@ -38,7 +38,7 @@ Contender contender(Contender::Kind kind, const FittableFamily& family, const Su
           .max_abs_error = bound_error(subject, peaks, width, checkpoint),
           .at = at,
           .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
-          .rms_error = family.objective(subject.setting, {.domain = subject.domain}, values)};
+          .rms_error = family.objective(subject.setting, {.domain = subject.domain})(values)};
 }
 
 /// Appends the printed constants of a family, each set once.

@@ -245,10 +245,11 @@ struct PhongBlinn : LobeFamily<BlinnFormulas> {
   }
 
   /// The best factor is 4 for sharp lobes and, under the measures here, below 7.5 for blunt ones. So the
-  /// search box is narrow for sharp lobes and wide for blunt ones.
+  /// search box is narrow for sharp lobes and wide for blunt ones. Far below 4 the ratio of a sharp form to
+  /// its target overflows at the horizon.
   std::array<std::array<double, 1>, 3> starts() const {
     const double width = 1 / (1 + exponent);
-    return {{{3.75 - 0.25 * width}, {4.5 + 0.5 * width}, {4.25 + 3.75 * width}}};
+    return {{{4 - 0.5 * width}, {4.5 + 0.5 * width}, {4.25 + 3.75 * width}}};
   }
 };
 

@@ -73,8 +73,7 @@ struct Metric {
   Norm norm = Norm::least_squares;
   Error error = Error::absolute;
   Domain domain = {};
-  std::string weight =
-      {};  ///< the factor of the error, a formula in c (fit/least_squares/weight.hpp); empty: 1
+  std::string weight = {};  ///< the factor of the error, a formula in c; empty: 1
   Constraints constraints = {};
   auto operator<=>(const Metric&) const = default;
 };

@@ -30,7 +30,9 @@ constexpr std::size_t most_study_edges = 64;
 class HingeCurve {
  public:
   HingeCurve(const Symbolic& formula, std::span<const StudyAxis> axes)
-      : program_(tape_of(formula, last_first(axes), 1), {}), values_(axes.size()) {}
+      : program_(tape_of(formula, last_first(axes), 1), {}),
+        values_(axes.size()),
+        is_smooth_(hinges_of(formula).empty()) {}
 
   /// Gives the variables before the last their values.
   void set_before(std::span<const long double> before) {
@@ -63,13 +65,18 @@ class HingeCurve {
     value(x);
     return program_.output(1);
   }
-  /// Whether some value of a range is 0 or rounding.
-  bool may_be_zero(double lower, double upper) const {
+  /// What enclosures tell of a range.
+  struct Range {
+    bool may_be_zero;  ///< whether some value is 0 or rounding
+    bool is_monotone;  ///< certainly
+  };
+  Range range(double lower, double upper) const {
     using Enclosure = RoundedInterval<OutwardArithmetic>;
     std::vector<Enclosure> inputs(values_.begin(), values_.end());
     inputs.front() = Enclosure(lower, upper);
-    const Enclosure value = program_.tape()(std::span<const Enclosure>(inputs)).front();
-    return value.lower() <= 0 && 0 <= value.upper();
+    const std::vector<Enclosure> found = program_.tape()(std::span<const Enclosure>(inputs));
+    const auto has_zero = [](const Enclosure& e) { return e.lower() <= 0 && 0 <= e.upper(); };
+    return {has_zero(found[0]), is_smooth_ && !has_zero(found[1])};
   }
 
  private:
@@ -81,6 +88,7 @@ class HingeCurve {
 
   TapeProgram<double> program_;
   std::vector<double> values_;
+  bool is_smooth_;
 };
 
 /// Evenly spaced places, and powers of two towards both ends.
@@ -111,8 +119,13 @@ double bisected(double low, double high, const Predicate& predicate) {
 /// Adds the zeros of a hinge as edges. `part` is the formula of the hinge.
 void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
                   std::vector<StudyEdge>& edges) {
-  if (!part.may_be_zero(axis.lower, axis.upper)) return;
-  const std::vector<double> places = places_on(axis.lower, axis.upper), values = part.values(places);
+  const auto [may_be_zero, is_monotone] = part.range(axis.lower, axis.upper);
+  if (!may_be_zero) return;
+  // A monotone part of one sign can be 0 at an end alone.
+  const bool has_ends_only = is_monotone && part.value(axis.lower) * part.value(axis.upper) >= 0;
+  const std::vector<double> places =
+      has_ends_only ? std::vector{axis.lower, axis.upper} : places_on(axis.lower, axis.upper);
+  const std::vector<double> values = part.values(places);
   double largest = 0;
   for (const double value : values)
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -148,7 +161,8 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
       // an extremum between, which may touch zero
       const double x =
           bisected(places[i - 1], places[i], [&](double at) { return part.slope(at) * values[i - 1] < 0; });
-      if (std::abs(part.value(x)) <= 1e-12 * largest && part.may_be_zero(x, x)) edges.push_back({x, power});
+      if (std::abs(part.value(x)) <= 1e-12 * largest && part.range(x, x).may_be_zero)
+        edges.push_back({x, power});
     }
   }
 }

@@ -360,8 +360,7 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
   best->starts = searched.starts;
   // Some of these conditions are not convex, but for a linear form all are linear at each place.
   best->is_global = searched.is_linear;
-  if (best->status == Status::infeasible)
-    throw UserError("the form cannot satisfy the constraints: " + best->why);
+  if (best->status == Status::infeasible) throw Infeasible(best->why);
   if (best->status == Status::converged)
     best->max_abs_error = largest_error(study, {edges}, best->parameters);
   confirm_integrals(study, *best);

@@ -1,12 +1,22 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fit/study/study_fit.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
+
+/// Constraints that no parameters satisfy.
+struct Infeasible : UserError {
+  explicit Infeasible(const std::string& reason)
+      : UserError("the form cannot satisfy the constraints: " + reason), why(reason) {}
+
+  std::string why;  ///< "no parameters keep the form <= 0.9 at c = 0"
+};
 
 /// The least-squares fit of a study of one variable under constraints. Without constraints it is
 /// `solve_study`.

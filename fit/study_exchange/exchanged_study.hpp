@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "fit/minimax/minimax_problem.hpp"
+#include "fit/minimax/minimax.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_panels/panel_curve.hpp"
 

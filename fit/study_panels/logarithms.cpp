@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
 #include "fit/quadrature/gauss.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/support/decimal.hpp"
 
 namespace shadefit {
 namespace {
@@ -71,8 +73,17 @@ std::optional<ReadStudy> logarithms_of(const ReadStudy& study, const std::vector
   const auto target = all(study.target, is_size) ? logarithm(study.target, {}) : std::nullopt;
   ReadStudy logarithms = study;
   logarithms.form = *form;
-  logarithms.target = target.value_or(
-      Symbolic::function("log", {Symbolic::function("max", {study.target, Symbolic::number("0")})}));
+  if (target) {
+    logarithms.target = *target;
+  } else {
+    // What is left of a difference, as of F(c) - F(1) at c = 1, may be above 0 by a few roundings.
+    double largest = 0;
+    for (const double value : values_at_nodes(study, study.target, nodes))
+      largest = std::max(largest, std::abs(value));
+    const Symbolic rounding = Symbolic::number(to_text(4 * std::numeric_limits<double>::epsilon() * largest));
+    logarithms.target = Symbolic::function(
+        "log", {Symbolic::function("max", {study.target - rounding, Symbolic::number("0")})});
+  }
   logarithms.weight = Symbolic::number("1");
   logarithms.error = Error::absolute;
   logarithms.residual.reset();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +15,20 @@
 
 /// The parts of a study's range between its edges, where an exchange searches.
 namespace shadefit {
+
+/// The search places of a panel: the 41 extrema of Chebyshev's polynomial of degree 40, ends included. They
+/// are enough: the error of a form with four parameters has five to seven extrema.
+inline const std::array<double, 41>& chebyshev_places() {
+  static const std::array<double, 41> places = [] {
+    std::array<double, 41> s{};
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      const double sine = std::sin(std::numbers::pi * static_cast<double>(i) / 80);
+      s[i] = sine * sine;
+    }
+    return s;
+  }();
+  return places;
+}
 
 /// A part of the range between two edges. At an end where a formula has a root, the variable is the square of
 /// s: the error may have an infinite slope there.

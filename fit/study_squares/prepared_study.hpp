@@ -29,14 +29,22 @@ class PreparedStudy {
   /// The bottom of the basin of a start, with the digits that the next rule in long double confirms and its
   /// rms error. No other basin is looked for, and no largest error: `solve_study` does that. A start without
   /// a finite error does not converge.
-  StudyFit fit(const std::vector<double>& start);
+  StudyFit fit(const std::vector<double>& start) { return fit_from({start}); }
+
+  /// The same from several starts; `ambiguous` if they do not all lead to the same curve.
+  StudyFit fit_from(const std::vector<std::vector<double>>& starts);
+
+  /// sqrt(integral of density * error^2 / integral of density), weighted.
+  double rms_error(const std::vector<double>& parameters);
 
  private:
+  void cut_panels(const std::vector<double>& parameters);
+
   ReadStudy study_;
   std::optional<double> unresolved_;
   StudyError error_;
   Rules rules_;
-  bool has_cut_panels_ = false;
+  bool has_cut_panels_;
 };
 
 }  // namespace shadefit

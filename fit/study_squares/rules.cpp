@@ -107,16 +107,20 @@ std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& 
   return rules.edges().front();
 }
 
-double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters) {
-  Rules rules(study, error);
-  rules.move_kinks(parameters);
-  rules.cut_panels(parameters);
+double rms_error(const Rules& rules, const std::vector<double>& parameters) {
   double square = 0, last = -1;
   for (std::size_t rule = 0; rule < rules.last() && std::abs(square - last) > 1e-12 * square; ++rule) {
     last = square;
     square = rules.sampled<double>(rule).square(parameters);
   }
   return std::sqrt(square);
+}
+
+double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters) {
+  Rules rules(study, error);
+  rules.move_kinks(parameters);
+  rules.cut_panels(parameters);
+  return rms_error(rules, parameters);
 }
 
 }  // namespace shadefit

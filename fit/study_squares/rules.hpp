@@ -85,7 +85,10 @@ std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& 
                                       const std::vector<double>& parameters);
 
 /// sqrt(integral of density * error^2 / integral of density) at these parameters, by rules of rising size
-/// until two agree to 1e-12. `error` is that of the study.
+/// until two agree to 1e-12. The panels are those of the rules.
+double rms_error(const Rules& rules, const std::vector<double>& parameters);
+
+/// The same by panels for these parameters. `error` is that of the study.
 double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters);
 
 }  // namespace shadefit

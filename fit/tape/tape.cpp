@@ -1,6 +1,8 @@
 #include "fit/tape/tape.hpp"
 
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -8,7 +10,29 @@
 namespace shadefit {
 namespace {
 
+/// A decimal of at most 18 digits without an exponent: its digits and a power of ten are long doubles, so
+/// that their quotient is rounded once. Empty for another text.
+std::optional<long double> short_decimal(const std::string& text) {
+  constexpr std::size_t most_letters = 18;
+  long double digits = 0, unit = 1;
+  bool is_behind_point = false;
+  if (text.size() > most_letters) return std::nullopt;
+  for (const char letter : text) {
+    if (letter == '.' && !is_behind_point) {
+      is_behind_point = true;
+    } else if ('0' <= letter && letter <= '9') {
+      digits = 10 * digits + static_cast<long double>(letter - '0');
+      if (is_behind_point) unit *= 10;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return digits / unit;
+}
+
 long double rounded_once(const Symbolic& expression) {
+  const bool is_number = expression.kind() == Symbolic::Kind::number;
+  if (const auto value = is_number ? short_decimal(expression.name()) : std::nullopt) return *value;
   return static_cast<long double>(in_50_digits(expression));
 }
 

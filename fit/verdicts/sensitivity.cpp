@@ -116,12 +116,10 @@ FittedConstants constants_of(const Fit& fit) {
   for (const std::string& name : constants.names)
     constants.is_given.push_back(
         std::ranges::any_of(given, [&](const Held& h) { return h.parameter == name; }));
-  const auto objective = [&family, setting, &fit](const std::vector<double>& parameters) {
-    return family.objective(setting, fit.metric, parameters);
-  };
+  const Objective objective = family.objective(setting, fit.metric);
   constants.objective = objective;
   constants.profile = [&family, setting, &fit, objective](std::size_t i, double value) {
-    if (family.parameters.size() == 1) return objective({value});
+    if (family.parameters.size() == 1) return objective(std::span(&value, 1));
     Metric metric = fit.metric;
     std::vector<Held>& held = metric.constraints.held;
     held.push_back({std::string(family.parameters[i]), value});

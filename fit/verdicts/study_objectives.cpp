@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "fit/bounded_study.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
@@ -22,7 +23,6 @@
 #include "fit/study_squares/solve_study.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
-#include "fit/verdicts/bounded_study.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {
@@ -263,116 +263,7 @@ bool is_exact_at(const ReadStudy& study, const std::vector<std::string>& printed
   return rounding > 0 && std::abs(form - target) <= rounding;
 }
 
-/// A fit whose nodes see what its formulas and its error do: where they do not, the study is cut and solved
-/// again.
-template <class Solve>
-StudyFit seen_fit(ReadStudy& study, const Solve& solve) {
-  constexpr int most_rounds = 3;
-  std::optional<double> unresolved = cut_at_features(study);
-  StudyFit fit = solve();
-  for (int round = 0; fit.status == Status::converged && !unresolved; ++round) {
-    const Features missed = features_of_error(study, fit.parameters);
-    unresolved = missed.unresolved;
-    if (missed.cuts.empty()) return fit;
-    if (round == most_rounds) unresolved = missed.cuts.front();
-    if (unresolved) break;
-    std::ranges::copy(missed.cuts, std::back_inserter(study.axes.front().cuts));
-    fit = solve();
-  }
-  const bool is_open = fit.status == Status::converged || fit.status == Status::not_converged;
-  if (!is_open || !unresolved) return fit;
-  fit.status = Status::unresolved;
-  fit.why = why_unresolved(study, *unresolved);
-  return fit;
-}
-
-/// The minimax fit of a form that meets its target but for rounding: no place holds its level, which is 0.
-std::optional<StudyFit> exact_fit(const ReadStudy& study, const std::vector<Held>& starts,
-                                  const Checkpoint& checkpoint) {
-  if (study.rows) return std::nullopt;
-  StudyFit fit = solve_study(study, starts, checkpoint);
-  if (fit.status != Status::converged || fit.max_abs_error.magnitude > 0) return std::nullopt;
-  fit.level = 0;
-  return fit;
-}
-
-/// A zero of a denominator of the form inside the range of the only variable. The nodes of a fit do not reach
-/// its ends, and a pole between two of them has no width.
-std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>& parameters) {
-  if (study.rows || study.axes.size() > 1) return std::nullopt;
-  const StudyAxis& axis = study.axes.front();
-  for (const Hinge& hinge : hinges_of(study.form)) {
-    if (!hinge.is_pole || std::ranges::none_of(study.parameters, [&](const std::string& name) {
-          return free_variables(hinge.part).contains(name);
-        }))
-      continue;
-    for (const double place : zeros_of(at_parameters(study, hinge.part, parameters), axis))
-      if (axis.lower < place && place < axis.upper) return place;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-Study with_cuts(Study study) {
-  ReadStudy read = read_study(study);
-  take_limits(read);
-  cut_at_features(read);
-  study.cuts = read.axes.front().cuts;
-  return study;
-}
-
-StudyFit errors_of_given(ReadStudy study) {
-  take_limits(study);
-  cut_at_features(study);
-  std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
-  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
-  StudyFit given;
-  given.status = Status::converged;
-  given.rms_error = rms_error(study, StudyError(study), {});
-  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
-  return given;
-}
-
-StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
-  if (!objective.study.held.empty()) {
-    const ReadStudy formulas = read_formulas(objective.study);
-    if (formulas.parameters.empty()) return errors_of_given(formulas);
-  }
-  ReadStudy read = read_study(objective.study);
-  take_limits(read);
-  const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
-    if (objective.norm == Norm::least_squares)
-      return solve_constrained_study(study, objective.constraints, starts, checkpoint);
-    StudyFit minimax = solve_minimax_study(study, objective.constraints, starts, checkpoint);
-    if (minimax.status != Status::degenerate || has_constraints(objective.constraints)) return minimax;
-    return exact_fit(study, starts, checkpoint).value_or(std::move(minimax));
-  };
-  const auto solve_any = [&](const ReadStudy& study, const std::vector<Held>& starts) {
-    // Constraints are in the units of the study.
-    return has_constraints(objective.constraints) ? solve(study, starts)
-                                                  : solve_in_units(study, starts, solve);
-  };
-  const auto solve_read = [&] {
-    const std::vector<Held>& starts = objective.study.starts;
-    return read.bounds.empty()
-               ? solve_any(read, starts)
-               : solve_bounded_study(read, objective.norm, objective.constraints, starts, solve_any);
-  };
-  StudyFit fit = objective.study.cuts ? solve_read() : seen_fit(read, solve_read);
-  fit.is_sampled = !read.rows && !is_enclosed(read);
-  if (const auto pole = fit.status == Status::converged ? pole_of(read, fit.parameters) : std::nullopt) {
-    fit.status = Status::at_border;
-    fit.why = "the way down leads to a pole of the form, at " + read.axes.front().variable + " = " +
-              decimal(*pole, 6);
-  }
-  const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
-  if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
-    fit.status = Status::not_finite;
-    fit.why = "a parameter is beyond the range of a double";
-  }
-  return fit;
-}
 
 StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints) {
   StudyObjective objective{norm == Norm::minimax ? "minimax" : "least squares", study, norm, constraints};

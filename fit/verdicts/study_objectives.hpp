@@ -1,36 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "fit/study_exchange/constrained_study.hpp"
-#include "fit/study_exchange/minimax_study.hpp"
-#include "fit/support/checkpoint.hpp"
+#include "fit/fit_study.hpp"
 
 /// The objectives under which the constants of a study may have been fitted.
 namespace shadefit {
-
-/// What a fit of a study minimises.
-struct StudyObjective {
-  std::string words = {};  ///< "least squares", "minimax, relative error", "least squares with a = 1.57"
-  Study study;
-  Norm norm = Norm::least_squares;
-  Constraints constraints = {};
-  std::optional<std::string> recompute = {};  ///< the formula that gave the values of the rows, if known
-};
-
-/// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
-/// value.
-StudyFit errors_of_given(ReadStudy study);
-
-/// The study with the cuts of its variable, for fits under many objectives. The error of such a fit is not
-/// looked at again.
-Study with_cuts(Study study);
-
-/// The fit under an objective; its errors, where all parameters are held. Throws UserError like `read_study`,
-/// `solve_study` and `solve_minimax_study`.
-StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 
 /// An objective with its words.
 StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints);

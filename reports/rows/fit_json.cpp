@@ -100,7 +100,6 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"relative_domain", fit.max_rel_error ? domain_json(fit.relative_domain) : Json()},
           {"relative_to", fit.relative_to},
           {"status", name(fit.status)},
-          {"iterations", fit.iterations},
           {"digits", answer(fit.digits)},
           {"objective", objective_json(fit.metric, f0)},
           {"level", fit.level ? answer(*fit.level) : Json()},

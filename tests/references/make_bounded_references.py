@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The fits within bounds of tests/fit/verdicts/bounded_study_test.cpp, by SciPy.
+"""The fits within bounds of tests/fit/bounded_study_test.cpp, by SciPy.
 
     make_bounded_references.py > bounded.csv
 

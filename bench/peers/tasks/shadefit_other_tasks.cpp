@@ -1,29 +1,26 @@
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "approx/fresnel.hpp"
 #include "approx/normalisation.hpp"
 #include "bench/peers/tasks/shadefit_tasks.hpp"
-#include "fit/families/families.hpp"
 #include "fit/fit.hpp"
 #include "fit/integrals/normalisation_check.hpp"
-#include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
+#include "fit/study_squares/prepared_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 
 namespace peer_tasks {
 namespace {
 
 using shadefit::Error;
-using shadefit::FresnelQuadratic;
 
 Answer minimax(Error error) {
-  const FresnelQuadratic pair;
-  const shadefit::Metric metric{.norm = shadefit::Norm::minimax, .error = error};
-  const auto optimum = shadefit::Minimax<FresnelQuadratic>(pair, metric, {1, 0}, {0, 1})
-                           .solve(shadefit::start_of_minimax(pair, metric));
-  return {{"a", optimum.parameters[0]}, {"b", optimum.parameters[1]}};
+  const shadefit::Fit fit =
+      shadefit::find_family("fresnel-quadratic")->fit({}, {.norm = shadefit::Norm::minimax, .error = error});
+  return {{"a", fit.parameters[0]}, {"b", fit.parameters[1]}};
 }
 
 /// The records of the published pair.
@@ -55,6 +52,18 @@ Answer constants() {
   return answer;
 }
 
+const shadefit::Study pair_in_words{
+    .target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
+
+/// The pair from a given start, in a study that is read once.
+Task prepared() {
+  return {"T1", "prepared, from a start",
+          [study = std::make_shared<shadefit::PreparedStudy>(pair_in_words)]() -> Answer {
+            const shadefit::StudyFit fit = study->fit({-5, -7});
+            return {{"a", fit.parameters[0]}, {"b", fit.parameters[1]}};
+          }};
+}
+
 /// From formulas as text: read, compiled to tapes, searched, polished and checked.
 Task study(const std::string& id, const shadefit::Study& study) {
   return {id, "as a study, from text, with a search", [=] {
@@ -75,7 +84,8 @@ std::vector<Task> other_tasks() {
           {"T5", "certified to 1e-9", [] { return prove(1e-9); }},
           {"T5", "certified to 1e-12", [] { return prove(1e-12); }},
           {"T6", "two rules in two variables, each constant", constants},
-          study("T1", {.target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}}),
+          prepared(),
+          study("T1", pair_in_words),
           study("T7", {.target = "exp(-x - y/2) + x y/2",
                        .form = "(a + b x + d y + g x y)/(1 + h x + k y + m x y + n x^2)",
                        .over = {{"x", "0", "1"}, {"y", "0", "1"}}})};

@@ -10,8 +10,8 @@
 #include "approx/lobe_laws.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/families/families.hpp"
+#include "fit/fit.hpp"
 #include "fit/ledger/where.hpp"
-#include "fit/solve.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
 
@@ -121,7 +121,7 @@ double largest_offset_codes(double exponent, double offset, double other) {
 }
 
 std::optional<double> best_offset(double exponent, Measure measure) {
-  const Solution optimum = solve_by_squares(SgOffset{{exponent}}, {.measure = measure});
+  const Fit optimum = find_family(sg_offset.id)->fit(exponent, {.measure = measure});
   return optimum.status == Status::converged ? std::optional(optimum.parameters[0]) : std::nullopt;
 }
 

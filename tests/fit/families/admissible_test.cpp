@@ -42,9 +42,9 @@ TEST(Admissible, AnErrorWithAPoleIsInfinite) {
   EXPECT_EQ(absolute.magnitude, HUGE_VAL);
   EXPECT_EQ(relative.magnitude, HUGE_VAL);
   EXPECT_DOUBLE_EQ(absolute.at.cos_theta, 0.5);
-  EXPECT_EQ(rational().objective({}, {}, a), HUGE_VAL);
-  EXPECT_EQ(rational().objective({}, {.norm = Norm::minimax}, a), HUGE_VAL);
-  EXPECT_LT(rational().objective({}, {.domain = {0, 0.4}}, a), 10);
+  EXPECT_EQ(rational().objective({}, {})(a), HUGE_VAL);
+  EXPECT_EQ(rational().objective({}, {.norm = Norm::minimax})(a), HUGE_VAL);
+  EXPECT_LT(rational().objective({}, {.domain = {0, 0.4}})(a), 10);
 }
 
 void expect_border(const Surface& surface, const Metric& metric) {
@@ -74,7 +74,7 @@ TEST(Admissible, NearTheBorderTheOptimumIsFound) {
     EXPECT_TRUE(admits(metric.domain, fit.parameters[0])) << ior;
     for (const double share : {0.999, 1.001}) {
       const std::array beside{-1.25 + share * (fit.parameters[0] + 1.25)};
-      EXPECT_GT(rational().objective({0, exact_surface(ior)}, metric, beside), fit.level.value()) << ior;
+      EXPECT_GT(rational().objective({0, exact_surface(ior)}, metric)(beside), fit.level.value()) << ior;
     }
   }
 }

@@ -12,7 +12,6 @@
 
 #include "fit/errors/ulps.hpp"
 #include "fit/families/families.hpp"
-#include "fit/least_squares/sampled_problem.hpp"
 
 namespace shadefit {
 namespace {
@@ -120,66 +119,6 @@ TEST(TwoLanes, ChoosesByLane) {
   EXPECT_EQ(min(TwoLanes(1, 4), TwoLanes(2, 3))[1], 3);
   EXPECT_EQ(max(TwoLanes(1, 4), TwoLanes(2, 3))[0], 2);
   EXPECT_EQ(max(TwoLanes(1, 4), TwoLanes(2, 3))[1], 4);
-}
-
-/// The sums of a problem two nodes at a time against those in long double, one at a time.
-template <class F>
-void expect_sums_of_long_double(const F& family, const Metric& metric,
-                                const std::array<double, F::parameters.size()>& p) {
-  constexpr int N = static_cast<int>(F::parameters.size());
-  const auto panels = Substitution::panels(metric, family.shape());
-  const SampledProblem<F, double> narrow(family, panels, 26);
-  const SampledProblem<F, long double> wide(family, panels, 26);
-  std::array<long double, F::parameters.size()> q;
-  std::copy(p.begin(), p.end(), q.begin());
-  ASSERT_EQ(narrow.size(), wide.size());
-  // all weights together are 1
-  for (std::size_t i = 0; i < narrow.size(); ++i)
-    EXPECT_NEAR(narrow.weight(i), static_cast<double>(wide.weight(i)), 1e-16) << "weight " << i;
-
-  const auto a = narrow.derivatives(p);
-  const auto b = wide.derivatives(q);
-  const auto g = narrow.gradient(p);
-  // A few roundings at each node, and those of the sum; the parameters are far from the optimum, so that
-  // nothing cancels much.
-  const double tolerance = 1e-13;
-  const auto expect = [&](const char* what, long double expected, double computed) {
-    EXPECT_LE(std::abs(computed / static_cast<double>(expected) - 1), tolerance)
-        << F::info.id << ": " << what << ", expected " << expected << ", computed " << computed;
-  };
-  expect("square", b.square, a.square);
-  expect("square alone", b.square, narrow.square(p));
-  expect("square of the gradient", b.square, g.square);
-  std::vector<double> errors(narrow.size()), slopes(narrow.size() * N);
-  narrow.errors(p, errors, slopes);
-  double sum = 0;
-  for (std::size_t node = 0; node < errors.size(); ++node)
-    sum += narrow.weight(node) * errors[node] * errors[node];
-  expect("square of the errors", b.square, sum);
-  for (int i = 0; i < N; ++i) {
-    expect("gradient", b.gradient[i], a.gradient[i]);
-    expect("gradient alone", b.gradient[i], g.gradient[i]);
-    double along = 0;
-    for (std::size_t node = 0; node < errors.size(); ++node)
-      along +=
-          narrow.weight(node) * errors[node] * slopes[static_cast<std::size_t>(i) * errors.size() + node];
-    expect("gradient of the errors", b.gradient[i], along);
-    for (int j = 0; j < N; ++j) expect("Hessian", b.hessian(i, j), a.hessian(i, j));
-  }
-}
-
-TEST(SampledProblem, TwoNodesAtATimeAreTheSameSums) {
-  for (const Measure measure : measures) {
-    const Metric metric{.measure = measure};
-    expect_sums_of_long_double(SgOffset{{5}}, metric, {1.3});
-    expect_sums_of_long_double(SgOffset{{2.5}}, metric, {1.3});
-    expect_sums_of_long_double(SgOffset{{1000}}, metric, {1.3});
-    expect_sums_of_long_double(PhongBlinn{{64}}, metric, {3.5});
-    expect_sums_of_long_double(FresnelOneTerm{}, metric, {7});
-    expect_sums_of_long_double(FresnelQuadratic{}, metric, {-4, -9});
-  }
-  // two panels, of 26 nodes each
-  expect_sums_of_long_double(FresnelQuadratic{{.surface = exact_surface(0.75)}}, {}, {-4, -9});
 }
 
 }  // namespace

@@ -87,5 +87,21 @@ TEST(PreparedStudy, RefusesNumbersThatNeedUnits) {
             "--over 'x': its range, the target or a parameter is too far from 1; write them in other units");
 }
 
+// sin(5 x) is the bottom of a basin of its own.
+TEST(PreparedStudy, StartsThatLeadToDifferentCurvesAreNoAnswer) {
+  PreparedStudy wave({.target = "sin(12*x)", .form = "sin(a*x)", .over = {{"x", "0", "3"}}});
+  EXPECT_EQ(wave.fit_from({{12.1}, {11.9}}).status, Status::converged);
+  EXPECT_EQ(wave.fit_from({{12.1}, {5}}).status, Status::ambiguous);
+}
+
+// Over a width of 1e-10 a line and a parabola are the same.
+TEST(PreparedStudy, NamesParametersThatChangeTogether) {
+  PreparedStudy narrow(
+      {.target = "(1-c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0.5", "0.5000000001"}}});
+  const StudyFit fit = narrow.fit({-5, -7});
+  EXPECT_EQ(fit.status, Status::degenerate);
+  EXPECT_NE(fit.why.find("a, b change together"), std::string::npos) << fit.why;
+}
+
 }  // namespace
 }  // namespace shadefit

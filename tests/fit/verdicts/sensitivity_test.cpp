@@ -39,7 +39,7 @@ std::vector<Fit> samples() {
 }
 
 double objective_of(const Fit& fit, const std::vector<double>& parameters) {
-  return find_family(fit.family->id)->objective(setting_of(fit), fit.metric, parameters);
+  return find_family(fit.family->id)->objective(setting_of(fit), fit.metric)(parameters);
 }
 
 std::string what(const Fit& fit, std::string_view parameter) {

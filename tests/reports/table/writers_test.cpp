@@ -226,12 +226,12 @@ TEST(FitsTable, AFitThatFailedHasItsStatusAndNoNumbers) {
   const auto csv = parse_csv(write_csv(fits_table({refit}).table, Precision::full), "fits");
   ASSERT_EQ(csv.rows.size(), 1U);
   EXPECT_EQ(csv.rows[0][4], "");
-  EXPECT_EQ(csv.rows[0][6], "not-converged");
+  EXPECT_EQ(csv.rows[0][6], "degenerate");
   EXPECT_EQ(csv.rows[0][12], "");
   const auto json = write_fit_json(fits.family(), refit.fits[0]);
   EXPECT_TRUE(json["parameters"]["x"].is_null()) << "a start value never passes for an answer";
   EXPECT_TRUE(json["rms_error"].is_null());
-  EXPECT_EQ(json["status"], "not-converged");
+  EXPECT_EQ(json["status"], "degenerate");
 }
 
 TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {

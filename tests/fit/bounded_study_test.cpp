@@ -1,4 +1,4 @@
-#include "fit/verdicts/bounded_study.hpp"
+#include "fit/bounded_study.hpp"
 
 #include <gtest/gtest.h>
 

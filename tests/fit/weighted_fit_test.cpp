@@ -1,101 +1,16 @@
-#include "fit/least_squares/weight.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/fit.hpp"
 #include "fit/quadrature/integrate.hpp"
 
+// The fits of families with a weight on the error.
 namespace shadefit {
 namespace {
-
-std::string fault_of(const char* text, const Domain& domain = {}) {
-  return find_fault(Weight(text, domain)).value_or("none");
-}
-
-TEST(Weight, IsAFormulaOfTheCosine) {
-  EXPECT_TRUE(Weight().is_one());
-  EXPECT_EQ(Weight("1 + 4 c").at(0.5), 3);
-  EXPECT_EQ(Weight("sqrt(0.25 - c^2)", {0, 0.5}).at(0.6), 0) << "beyond an end the end stands for it";
-  EXPECT_THROW(Weight("1 + k"), std::invalid_argument);
-}
-
-// The solvers ask for a weight in Jets of the place: the derivatives of sqrt(1 + c) are known.
-TEST(Weight, HasTheDerivativesOfItsFormula) {
-  using First = ceres::Jet<double, 1>;
-  using Second = ceres::Jet<First, 1>;
-  const Weight weight("sqrt(1 + c)");
-  Second c(First(0.5625, 0));
-  c.v[0] = First(1.0);
-  const Second value = weight.at(c);
-  EXPECT_EQ(value.a.a, 1.25);
-  EXPECT_DOUBLE_EQ(value.a.v[0], 0.4);
-  EXPECT_DOUBLE_EQ(value.v[0].a, 0.4);
-  EXPECT_DOUBLE_EQ(value.v[0].v[0], -0.128);
-  ceres::Jet<long double, 1> wide(0.5625L);
-  wide.v[0] = 1;
-  EXPECT_EQ(weight.at(wide).a, 1.25L);
-  EXPECT_NEAR(static_cast<double>(weight.at(wide).v[0] - 0.4L), 0, 1e-19) << "long double";
-  const TwoLanes both = weight.at(TwoLanes(0.5625, 0));
-  EXPECT_EQ(both[0], 1.25);
-  EXPECT_EQ(both[1], 1);
-  // A place that a parameter does not move has no derivative by it, even where the slope is infinite.
-  const ceres::Jet<double, 1> still = Weight("sqrt(c)").at(ceres::Jet<double, 1>(0.0));
-  EXPECT_EQ(still.v[0], 0);
-}
-
-// A formula that is zero at single places can be a weight.
-TEST(Weight, MayBeZeroAtSinglePlaces) {
-  for (const char* text : {"1 + 4 c", "c", "1 - c", "c^2", "sqrt(1 - c*c)", "(c - 0.5)^2", "(c - 0.3)^2",
-                           "1 - 2 c + c*c", "max(c, 0.1)", "max(c - 0.5, 0.5 - c)", "sqrt((c - 0.5)^2)",
-                           "c^0.3", "(c < 0.5 ? 2 : 1)", "exp(-10000 c)", "max(c, 1)", "1 - exp(c - 1)"})
-    EXPECT_EQ(fault_of(text), "none") << text;
-  EXPECT_EQ(fault_of("c - 0.5", {0.5, 1}), "none");
-  EXPECT_EQ(fault_of("1/c", {0.25, 1}), "none");
-}
-
-TEST(Weight, SaysWhyAFormulaIsNone) {
-  EXPECT_EQ(fault_of("c - 0.5"), "is -0.5 at c = 0: it must not be negative over the domain");
-  EXPECT_TRUE(fault_of("(c - 0.3)^2 - 0.000000001").starts_with("is -1e-09 at c = 0.3"));
-  EXPECT_EQ(fault_of("1/c"), "is inf at c = 0: it must be finite over the domain");
-  EXPECT_EQ(fault_of("sin(3 c)/c"), "is nan at c = 0: it must be finite over the domain");
-  EXPECT_TRUE(fault_of("1/(c - 0.3)^2").starts_with("divides by zero at c = 0.3"));
-  EXPECT_TRUE(fault_of("(c - 0.3)^(-2)").starts_with("divides by zero at c = 0.3"));
-  EXPECT_TRUE(fault_of("1/(c*c - 0.5)^2").starts_with("divides by zero at c = 0.7071067811865"));
-  EXPECT_EQ(fault_of("max(c - 0.5, 0)"), "is 0 from c = 0 to c = 0.5: it may be 0 at single places only");
-  EXPECT_TRUE(fault_of("max((c - 0.5)^2 - 0.00000001, 0)").starts_with("is 0 from c = 0.4999 to c = 0.5001"))
-      << "the kinks lie between two search places";
-  EXPECT_EQ(fault_of("(1 + c) - 1 - c"), "is 0 from c = 0 to c = 1: it may be 0 at single places only");
-  EXPECT_EQ(fault_of("0"), "is 0 from c = 0 to c = 1: it may be 0 at single places only");
-  EXPECT_EQ(fault_of("1e200"), "is 1e+200 at its largest: that must lie between 1e-100 and 1e+100");
-  EXPECT_EQ(fault_of("1e-200"), "is 1e-200 at its largest: that must lie between 1e-100 and 1e+100");
-  EXPECT_TRUE(fault_of("max(sin(400 c), 0.5)").starts_with("has more than 64 kinks"));
-}
-
-TEST(Weight, FindsItsEdges) {
-  const auto edges = [](const char* text) { return Weight(text).edges(); };
-  EXPECT_TRUE(edges("1 + 4 c").empty());
-  EXPECT_TRUE(edges("(c - 0.5)^2").empty());
-  ASSERT_EQ(edges("max(c, 0.1)").size(), 1U);
-  EXPECT_NEAR(edges("max(c, 0.1)")[0].above, 0.1, 2e-16);
-  EXPECT_EQ(edges("max(c, 0.1)")[0].power, 1) << "smooth on either side";
-  EXPECT_EQ(edges("max(c, 0.1) + max(0.1, c)").size(), 1U);
-  EXPECT_EQ(edges("min(max(c, 0.1), 0.4)").size(), 2U);
-  ASSERT_EQ(edges("sqrt(1 - c*c)").size(), 1U);
-  EXPECT_EQ(edges("sqrt(1 - c*c)")[0].below, 1);
-  EXPECT_GT(edges("sqrt(1 - c*c)")[0].power, 1);
-  ASSERT_EQ(edges("sqrt((c - 0.3)^2)").size(), 1U) << "a root of what touches zero";
-  EXPECT_NEAR(edges("sqrt((c - 0.3)^2)")[0].above, 0.3, 2e-16);
-  // Of a choice each side keeps its own value at the edge.
-  const Weight step("(c < 0.5 ? 2 : 1)");
-  ASSERT_EQ(step.edges().size(), 1U);
-  EXPECT_EQ(step.at(step.edges()[0].above), 1);
-  EXPECT_EQ(step.at(step.edges()[0].below), 2);
-}
 
 /// A weight for the tests, also as C++ computes it, and where it has a kink.
 struct Known {
@@ -205,7 +120,7 @@ TEST(WeightedFit, AConstantFactorChangesNothing) {
                     error == Error::relative ? a.max_rel_error->magnitude : a.max_abs_error.magnitude)
               << what;
           const Metric metric = a.metric;
-          EXPECT_NEAR(family.objective(setting, metric, a.parameters) / a.level.value_or(a.rms_error), 1,
+          EXPECT_NEAR(family.objective(setting, metric)(a.parameters) / a.level.value_or(a.rms_error), 1,
                       1e-9)
               << what;
         };

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "approx/cosine.hpp"
+#include "fit/fit.hpp"
+#include "fit/study/study.hpp"
+
+/// The families as studies: the engine fits nothing else.
+namespace shadefit {
+
+/// The study of a family between two places. A relative error is that of the family. Its variable is c; of a
+/// lobe with k >= 2 it is t = k (c - 1), in which all lobes are equally wide.
+Study study_of(std::string_view family, const Setting& setting, const Metric& metric,
+               const Cosine<double>& top, const Cosine<double>& bottom);
+
+/// The root mean square of the weight of a metric over such a study; 1 of an empty one.
+double scale_of_weight(const Study& study, const std::string& weight);
+
+/// What a metric minimises, of such a study without given parameters.
+Objective objective_of(const Study& study, const Metric& metric);
+
+/// The cosine at a value of the variable of that study, and the value at a cosine.
+Cosine<double> cosine_at(std::string_view family, const Setting& setting, double variable);
+double variable_at(std::string_view family, const Setting& setting, double cos_theta);
+
+/// A sentence that ends with a place of that study, with its cosine: "no parameters .. at c = 0".
+std::string in_cosines(std::string_view family, const Setting& setting, std::string sentence);
+
+}  // namespace shadefit

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/quadrature/metric.hpp"
+#include "fit/study/study.hpp"
+#include "fit/study/study_fit.hpp"
+#include "fit/support/checkpoint.hpp"
+
+/// The fit of a study under an objective, whatever its norm, its bounds and its constraints.
+namespace shadefit {
+
+/// What a fit of a study minimises.
+struct StudyObjective {
+  std::string words = {};  ///< "least squares", "minimax, relative error", "least squares with a = 1.57"
+  Study study;
+  Norm norm = Norm::least_squares;
+  Constraints constraints = {};
+  std::optional<std::string> recompute = {};  ///< the formula that gave the values of the rows, if known
+};
+
+/// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
+/// value.
+StudyFit errors_of_given(ReadStudy study);
+
+/// The study with the cuts of its variable, for fits under many objectives. The error of such a fit is not
+/// looked at again.
+Study with_cuts(Study study);
+
+/// The fit under an objective; its errors, where all parameters are held. Throws UserError like `read_study`,
+/// `solve_study` and `solve_minimax_study`.
+StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
+
+/// The same where somebody knows starts of all free parameters. If they do not agree on an answer, the basins
+/// are searched as for `fit_study`.
+StudyFit fit_from_starts(const StudyObjective& objective, const std::vector<std::vector<double>>& starts);
+
+}  // namespace shadefit
