@@ -226,7 +226,8 @@ Fit fit(const Setting& setting, const Metric& metric) {
   if (is_fresnel_family<F>()) result.surface = setting.surface;
   result.metric = metric;
   result.relative_to = family.relative_to();
-  if (result.status != Status::infeasible && pole_of(family, metric.domain, result.parameters))
+  const bool is_end = result.status == Status::converged || result.status == Status::not_finite;
+  if (is_end && pole_of(family, metric.domain, result.parameters))
     result.status = has_constraints(metric.constraints) ? Status::infeasible : Status::at_border;
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
