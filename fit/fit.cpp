@@ -217,6 +217,26 @@ std::string contradiction_in(const F& family, const Fit& fit) {
   return contradiction_of(fit.rms_error, largest);
 }
 
+/// Of parameters with a pole: whether far larger ones than the start are better than the last admissible ones
+/// on the way from the start.
+template <class F>
+bool has_no_end(const Setting& setting, const Metric& metric, const std::vector<double>& parameters) {
+  const auto family = make_family<F>(setting);
+  const auto start = family.starts().front();
+  std::vector<double> far(start.begin(), start.end()), near = far;
+  double inside = 0, outside = 1;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double share = (inside + outside) / 2;
+    std::vector<double> tried = near;
+    for (std::size_t i = 0; i < far.size(); ++i) tried[i] = std::lerp(start[i], parameters[i], share);
+    (pole_of(family, metric.domain, tried) ? outside : inside) = share;
+    if (inside == share) near = tried;
+  }
+  for (double& value : far) value *= 0x1p30;
+  const Objective value = objective<F>(setting, metric);
+  return value(far) < value(near);
+}
+
 template <class F>
 Fit fit(const Setting& setting, const Metric& metric) {
   const auto family = make_family<F>(setting);
@@ -226,9 +246,16 @@ Fit fit(const Setting& setting, const Metric& metric) {
   if (is_fresnel_family<F>()) result.surface = setting.surface;
   result.metric = metric;
   result.relative_to = family.relative_to();
-  const bool is_end = result.status == Status::converged || result.status == Status::not_finite;
-  if (is_end && pole_of(family, metric.domain, result.parameters))
-    result.status = has_constraints(metric.constraints) ? Status::infeasible : Status::at_border;
+  if (result.status != Status::infeasible && pole_of(family, metric.domain, result.parameters)) {
+    if (has_constraints(metric.constraints)) {
+      result.status = Status::infeasible;
+    } else if (has_no_end<F>(setting, metric, result.parameters)) {
+      result.status = Status::not_converged;
+      result.why = "larger parameters are always better: the form has no best ones";
+    } else {
+      result.status = Status::at_border;
+    }
+  }
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
     result.max_rel_error = max_rel_error<F>(setting, metric.domain, result.parameters);
