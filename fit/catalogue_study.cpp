@@ -91,29 +91,11 @@ Study blunt_lobe(const Metric& metric, const Cosine<double>& top, const Cosine<d
   return study;
 }
 
-/// Without a named surface an absolute error is that of the weight, for every f0.
 Study fresnel_form(const Surface& surface, const Metric& metric, const Cosine<double>& top,
                    const Cosine<double>& bottom) {
-  const bool is_metal = surface.extinction > 0;
-  Study study;
+  Study study = fresnel_study(surface, metric.error);
   study.over = {{"c", hex_text(bottom.cos_theta), hex_text(top.cos_theta),
                  density_of(std::string(name(metric.measure)), "c")}};
-  study.target = !surface.is_exact() ? "schlick_weight(c)"
-                 : is_metal          ? "weight_of_reflectance(conductor_reflectance(c, n, k), f0)"
-                                     : "weight_of_reflectance(dielectric_reflectance(c, n), f0)";
-  const bool is_plain = !surface.is_named() && metric.error == Error::absolute;
-  if (!is_plain) {
-    const std::string given = surface.f0 ? hex_text(*surface.f0) : std::string(reference_f0);
-    study.definitions = {{"f0",
-                          {},
-                          !surface.is_named() ? given
-                          : is_metal          ? "conductor_reflectance_at_normal(n, k)"
-                                              : "reflectance_at_normal(n)"}};
-    study.weight =
-        metric.error == Error::relative ? "(1 - f0)/schlick_reflectance(f0, " + study.target + ")" : "1 - f0";
-  }
-  if (surface.is_named()) study.given["n"] = hex_text(surface.ior);
-  if (is_metal) study.given["k"] = hex_text(surface.extinction);
   study.cuts.emplace();
   const auto joint = joint_of(surface);
   if (joint && !joint->is_kink) study.cuts->push_back(joint->cosine);
@@ -121,6 +103,27 @@ Study fresnel_form(const Surface& surface, const Metric& metric, const Cosine<do
 }
 
 }  // namespace
+
+Study fresnel_study(const Surface& surface, Error error) {
+  const bool is_metal = surface.extinction > 0;
+  Study study;
+  study.target = !surface.is_exact() ? "(1 - c)^5"
+                 : is_metal          ? "weight_of_reflectance(conductor_reflectance(c, n, k), f0)"
+                                     : "weight_of_reflectance(dielectric_reflectance(c, n), f0)";
+  if (surface.is_named() || error == Error::relative) {
+    const std::string given = surface.f0 ? to_text(*surface.f0) : std::string(reference_f0);
+    study.definitions = {{"f0",
+                          {},
+                          !surface.is_named() ? given
+                          : is_metal          ? "conductor_reflectance_at_normal(n, k)"
+                                              : "reflectance_at_normal(n)"}};
+    study.weight =
+        error == Error::relative ? "(1 - f0)/schlick_reflectance(f0, " + study.target + ")" : "1 - f0";
+  }
+  if (surface.is_named()) study.given["n"] = to_text(surface.ior);
+  if (is_metal) study.given["k"] = to_text(surface.extinction);
+  return study;
+}
 
 Study study_of(std::string_view family, const Setting& setting, const Metric& metric,
                const Cosine<double>& top, const Cosine<double>& bottom) {

@@ -15,6 +15,10 @@ namespace shadefit {
 Study study_of(std::string_view family, const Setting& setting, const Metric& metric,
                const Cosine<double>& top, const Cosine<double>& bottom);
 
+/// Target and weight of a Fresnel form for a surface, over c. Without a named surface an absolute error is
+/// that of the weight, for every f0; else errors are those of the reflectance.
+Study fresnel_study(const Surface& surface, Error error);
+
 /// The root mean square of the weight of a metric over such a study; 1 of an empty one.
 double scale_of_weight(const Study& study, const std::string& weight);
 

@@ -10,10 +10,10 @@
 #include "approx/catalogue.hpp"
 #include "fit/better/better_study.hpp"
 #include "fit/better/prove_contenders.hpp"
-#include "fit/proof/certificate.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/study_proof/family_subject.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
@@ -72,15 +72,16 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
           "emit '{}' needs --exponent with one exponent: fitted constants are for one", options.fit.id));
     // the fourth digit of a bound is rounded up
     constexpr double width = 1e-6;
-    const Certified certified = certify(proven.chosen.subject, width, checkpoint);
+    const CertifiedStudy certified = certify_study(in_words(proven.chosen.subject), width, checkpoint);
     proven.upper = std::max(proven.upper, certified.certificate.upper);
-    proven.target = certified.certificate.target;
+    proven.target = target_text(*named.family, setting);
   }
   return proven;
 }
 
 /// The form with its constants; the exponent is one of them if it was requested.
-ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
+ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options,
+                           const FamilySubject& subject) {
   Constants constants = subject.parameters;
   std::vector<std::string> arguments{"c"};
   if (options.fit.exponents) {
@@ -139,7 +140,7 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
         "--exponent names {} exponents: code is for one, or without the option for any", settings.size()));
   const Metric metric = metric_for(options.fit, family, settings);
   const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
-  const Subject& subject = proven.chosen.subject;
+  const FamilySubject& subject = proven.chosen.subject;
 
   const std::vector<OthersText> facts{
       fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),

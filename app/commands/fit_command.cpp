@@ -13,6 +13,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/utf8.hpp"
 #include "reports/rows/alternation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/rounded.hpp"
@@ -66,7 +67,7 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
     if (options.round)
       text += "\n" +
               write_console(rounded_table(refit, extras.rounded), Precision::report, options.terminal) +
-              rounded_text(extras.rounded);
+              rounded_text(extras.rounded, metric.error);
     for (std::size_t i = 0; i < extras.sensitivities.size(); ++i) {
       if (extras.sensitivities[i])
         text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i], options.terminal);
@@ -77,7 +78,7 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   for (std::size_t i = 0; i < refit.fits.size(); ++i) {
     checkpoint();
     array.push_back(write_fit_json(*refit.family, refit.fits[i]));
-    if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i]);
+    if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i], metric.error);
     if (options.sensitivity)
       array.back()["sensitivity"] = extras.sensitivities[i]
                                         ? sensitivity_json(refit.fits[i].fit, *extras.sensitivities[i])

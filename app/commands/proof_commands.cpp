@@ -7,14 +7,13 @@
 #include "approx/catalogue.hpp"
 #include "fit/input/bounded_file.hpp"
 #include "fit/proof/bound_width.hpp"
-#include "fit/proof/certificate.hpp"
+#include "fit/study_proof/family_subject.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/rows/certificate_json.hpp"
 #include "reports/rows/fit_json.hpp"
-#include "reports/rows/proofs.hpp"
 #include "reports/rows/statement.hpp"
 #include "reports/studies/study_certificate_json.hpp"
 #include "reports/studies/study_proof_rows.hpp"
@@ -43,21 +42,7 @@ struct VerifiedCertificate {
   std::string statement;  ///< what it proves, on lines of their own
 };
 
-VerifiedCertificate verify_family(const std::string& text, const std::string& file, const ShareDone& done) {
-  const auto read = read_certificate(text, file);
-  const Certificate& certificate = read.certificate;
-  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
-  if (!reason.empty()) return {reason, ""};
-  const std::size_t ends = certificate.horizon.size() + certificate.peak.size();
-  const std::size_t sides = (certificate.horizon.empty() ? 0 : 1) + (certificate.peak.empty() ? 0 : 1);
-  return {"", fmt::format(
-                  "certificate '{}' holds: the largest {} error of {} is in [{}, {}], checked on {} boxes\n",
-                  printable(file), name(certificate.subject.error), certificate.form, certificate.lower,
-                  certificate.upper, ends - sides) +
-                  statement_of(certificate)};
-}
-
-VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done) {
+VerifiedCertificate verified(const std::string& text, const std::string& file, const ShareDone& done) {
   const auto read = read_study_certificate(text, file);
   const StudyCertificate& certificate = read.certificate;
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
@@ -96,10 +81,17 @@ Outcome proven_outcome(const CertifyOptions& options, const std::optional<Output
 }
 
 /// A line for a proof whose bounds, those of `certificate`, are wider than was asked for. `what` names it.
-template <class AnyCertificate>
-std::string not_reached_line(const std::string& what, const AnyCertificate& certificate, double width) {
+std::string not_reached_line(const std::string& what, const StudyCertificate& certificate, double width) {
   return fmt::format("shadefit: {}: the width {} was not reached: the largest error is in [{}, {}]\n", what,
                      width, certificate.lower, certificate.upper);
+}
+
+/// "falls with the angle, non-negative, not at most 1"; what is open has a question mark.
+std::string curve_text(const std::vector<std::pair<std::string, Proof>>& properties) {
+  return joined(properties, ", ", [](const auto& property) {
+    const auto& [words, proof] = property;
+    return (proof == Proof::refuted ? "not " : "") + words + (proof == Proof::open ? "?" : "");
+  });
 }
 
 /// `certify` of a study.
@@ -148,34 +140,40 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   const Metric metric = metric_for(options.fit, family, settings);
   const auto file = certificate_file(options, settings.size(), "name one --exponent");
-  std::vector<CertifiedForm> forms;
+  std::vector<ProvenStudy> proofs;
+  std::vector<std::vector<std::pair<std::string, Proof>>> curves;
   const Checkpoint next = stepping(checkpoint, progress, "certify", settings.size());
   std::string err;
   for (const Setting& setting : settings) {
     next();
     const ChosenSubject chosen =
         chosen_constants(options.parameters, named, setting, metric, options.fit, checkpoint);
-    forms.push_back({certify(chosen.subject, width, checkpoint), chosen.from});
+    proofs.push_back({certify_study(in_words(chosen.subject), width, checkpoint), chosen.from});
+    curves.push_back(prove_curve(chosen.subject, checkpoint));
     const std::string at =
         setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : std::string();
-    const auto& [certificate, is_reached, curve] = forms.back().certified;
-    if (!is_reached) err += not_reached_line(certificate.subject.family + at, certificate, width);
+    const auto& [certificate, is_reached] = proofs.back().certified;
+    if (!is_reached) err += not_reached_line(std::string(family.info.id) + at, certificate, width);
   }
-  const Certificate& first = forms.front().certified.certificate;
-  return proven_outcome(
-      options, file, certificate_text(first), json_array(forms, write_certified_json),
-      fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
-                  first.form, name(metric.error), to_text(first.subject.domain), first.precision) +
-          write_console(certificates_table(family, forms), Precision::full, options.fit.terminal),
-      err, checkpoint);
+  Table table = study_proofs_table(proofs);
+  table.columns.emplace_back("curve");
+  nlohmann::ordered_json json = json_array(proofs, study_proof_json);
+  for (std::size_t i = 0; i < proofs.size(); ++i) {
+    table.rows[i].emplace_back(curve_text(curves[i]));
+    json[i]["constant"] = family.info.id;
+    for (const auto& [words, proof] : curves[i]) json[i]["curve"][words] = name(proof);
+  }
+  const StudyCertificate& first = proofs.front().certified.certificate;
+  return proven_outcome(options, file, certificate_text(first), json,
+                        fmt::format("{}: {}\n", family.info.id, for_terminal(proof_headline(first))) +
+                            write_console(table, Precision::full, options.fit.terminal),
+                        err, checkpoint);
 }
 
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const auto done = bar(checkpoint, progress, "verify");
   const std::string text = read_bounded(options.file, most_certificate_bytes);
-  const auto [refused, statement] = is_study_certificate(text, options.file)
-                                        ? verify_study(text, options.file, done)
-                                        : verify_family(text, options.file, done);
+  const auto [refused, statement] = verified(text, options.file, done);
   if (refused.empty()) return {0, statement, ""};
   return {
       1, "",

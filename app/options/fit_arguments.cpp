@@ -15,7 +15,7 @@
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/quadrature/rule_choice.hpp"
-#include "fit/rounding/rounding.hpp"
+#include "fit/rounding/round_family.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/sweep.hpp"
@@ -234,7 +234,7 @@ ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, cons
   const std::string asks_for_fit = has_weight ? "--weight" : option_of_fits(options.present);
   if (parameters && !asks_for_fit.empty())
     throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
-  Subject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
+  FamilySubject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
   if (parameters) {
     const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
     subject.parameters = in_order(*parameters, known);

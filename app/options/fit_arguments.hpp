@@ -9,7 +9,8 @@
 #include "app/options/options.hpp"
 #include "approx/records/record.hpp"
 #include "fit/fit.hpp"
-#include "fit/proof/certificate.hpp"
+#include "fit/study_proof/family_subject.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// Interprets the options of `fit`, `certify` and similar commands for a family. Each function throws
 /// UserError with one line that names the option, its value and the rule.
@@ -44,7 +45,7 @@ std::string headline(const Metric& metric);
 
 /// The constants of a form that `certify` and `emit` use.
 struct ChosenSubject {
-  Subject subject;
+  FamilySubject subject;
   std::string_view from;  ///< the origin of its values: given, published or fitted
 };
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "fit/proof/bound_width.hpp"
-#include "fit/proof/certificate.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"

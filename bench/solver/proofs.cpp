@@ -4,34 +4,33 @@
 
 #include "approx/fresnel.hpp"
 #include "bench/solver/benchmarks.hpp"
-#include "fit/proof/certificate.hpp"
+#include "fit/study_proof/family_subject.hpp"
 
 namespace shadefit::bench {
 namespace {
 
-Subject published_pair() {
-  Subject pair{.family = "fresnel-quadratic", .parameters = {}};
+StudySubject published_pair() {
+  FamilySubject pair{.family = "fresnel-quadratic", .parameters = {}};
   for (const Published& published : fresnel_published) {
     if (published.family == pair.family) pair.parameters.emplace_back(published.parameter, published.printed);
   }
-  return pair;
+  return in_words(pair);
 }
 
 /// Bounds with this relative width. The counter `boxes` is the size of the proof.
 void measure_certify(benchmark::State& state, double width) {
-  const Subject pair = published_pair();
-  Certified made;
+  const StudySubject pair = published_pair();
+  CertifiedStudy made;
   for (auto _ : state) {
-    made = certify(pair, width);
+    made = certify_study(pair, width);
     benchmark::DoNotOptimize(made.certificate.upper);
   }
   require(made.is_reached, "the width was not reached");
-  state.counters["boxes"] =
-      static_cast<double>(made.certificate.horizon.size() + made.certificate.peak.size());
+  state.counters["boxes"] = static_cast<double>(count_boxes(made.certificate));
 }
 
 void measure_verify(benchmark::State& state) {
-  const Certificate certificate = certify(published_pair(), 1e-9).certificate;
+  const StudyCertificate certificate = certify_study(published_pair(), 1e-9).certificate;
   for (auto _ : state) require(reason_to_refuse(certificate).empty(), "a certificate was refused");
 }
 

@@ -4,6 +4,10 @@
 
 #include "approx/fresnel.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/study/largest_error.hpp"
+#include "fit/study/study_problem.hpp"
+#include "fit/study_proof/family_subject.hpp"
+#include "fit/study_squares/rules.hpp"
 #include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
@@ -21,22 +25,23 @@ Operations executed(const FittableFamily& family, const Setting& setting, const 
   return count_operations(evaluate<Symbolic>(family.form(), value_of));
 }
 
-/// A form with constants, for the family and setting of the subject; `alternation` comes from a minimax fit.
-Contender contender(Contender::Kind kind, const FittableFamily& family, const Subject& subject,
-                    const std::vector<double>& values, double width, const Checkpoint& checkpoint,
-                    const std::vector<AlternationPoint>& alternation = {}) {
+ErrorBounds proven_bounds(const StudySubject& subject, double width, const Checkpoint& checkpoint) {
+  const auto [certificate, is_reached] = certify_study(subject, width, checkpoint);
+  return {certificate.lower, certificate.upper, is_reached};
+}
+
+/// A form with constants, for the family and setting of the subject.
+Contender contender(Contender::Kind kind, const FittableFamily& family, const FamilySubject& subject,
+                    const std::vector<double>& values, double width, const Checkpoint& checkpoint) {
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
-  const Cosine<double> at = family.max_abs_error(subject.setting, subject.domain, values).at;
-  std::vector<Cosine<double>> peaks{at};
-  for (const AlternationPoint& point : alternation) peaks.push_back(point.at);
   return {.kind = kind,
           .family = family.info.id,
           .form = to_text(family.form()),
           .parameters = subject.parameters,
           .values = values,
           .operations = executed(family, subject.setting, values),
-          .max_abs_error = bound_error(subject, peaks, width, checkpoint),
-          .at = at,
+          .max_abs_error = proven_bounds(in_words(subject), width, checkpoint),
+          .at = family.max_abs_error(subject.setting, subject.domain, values).at,
           .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
           .rms_error = family.objective(subject.setting, {.domain = subject.domain})(values)};
 }
@@ -47,7 +52,7 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
   auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family.info)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first number
-    Subject subject{
+    FamilySubject subject{
         .family = std::string(family.info.id), .setting = comparison.setting, .domain = options.domain};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       subject.parameters.emplace_back(parameter, printed);
@@ -76,8 +81,8 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
                                   std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
     return;
   }
-  Contender found = contender(Contender::Kind::fitted, family, subject_of(fit), fit.parameters, width,
-                              checkpoint, fit.alternation);
+  Contender found =
+      contender(Contender::Kind::fitted, family, subject_of(fit), fit.parameters, width, checkpoint);
   found.origin = objective;
   comparison.contenders.push_back(std::move(found));
 }
@@ -96,18 +101,24 @@ void append_fits(Comparison& comparison, const FittableFamily& family, const Com
 
 /// Appends Schlick's formula if it is not the target.
 void append_schlick(Comparison& comparison, const ComparisonOptions& options, const Checkpoint& checkpoint) {
-  const SchlickError error =
-      schlick_error(comparison.setting.surface, options.domain, options.width, checkpoint);
+  const auto study_of = [&](Error error) {
+    Study study = plain_study_of(*comparison.family, comparison.setting, error, options.domain);
+    study.form = to_text(comparison.family->target());
+    return study;
+  };
+  const Study study = study_of(Error::absolute);
+  const ReadStudy absolute = read_formulas(study), relative = read_formulas(study_of(Error::relative));
+  const double at = largest_weighted_error(absolute, {}).at.front();
   const Symbolic form = comparison.family->target();
   comparison.contenders.push_back({.kind = Contender::Kind::published,
                                    .published = "schlick",
                                    .form = to_text(form),
                                    .origin = "Schlick 1994",
                                    .operations = count_operations(form),
-                                   .max_abs_error = error.bounds,
-                                   .at = error.absolute.at,
-                                   .max_rel_error = error.relative.magnitude,
-                                   .rms_error = error.rms});
+                                   .max_abs_error = proven_bounds({study, {}}, options.width, checkpoint),
+                                   .at = Cosine<double>{at, 1 - at},
+                                   .max_rel_error = largest_weighted_error(relative, {}).magnitude,
+                                   .rms_error = rms_error(absolute, StudyError(absolute), {})});
 }
 
 /// The target as a formula for a shader, with precomputed constants; for an exact surface, the reflectance F.

@@ -8,12 +8,17 @@
 
 #include "approx/cosine.hpp"
 #include "fit/fit.hpp"
-#include "fit/proof/error_bounds.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Alternatives to a published constant: the same form under other objectives, and other forms of the same
 /// target, each with its cost and its proven error.
 namespace shadefit {
+
+/// max |error| lies in [lower, upper].
+struct ErrorBounds {
+  double lower = 0, upper = 0;
+  bool is_reached = true;  ///< whether the requested width is reached
+};
 
 /// A curve with its constants, or the target itself.
 struct Contender {

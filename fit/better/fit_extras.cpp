@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "fit/proof/enclosure.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/rounding/rounding.hpp"
+#include "fit/rounding/round_family.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/refit.hpp"
 
@@ -14,7 +14,7 @@ namespace shadefit {
 /// The rounded constants of a fit, or why there are none: the fit did not converge, or the format cannot hold
 /// it.
 struct RoundedFit {
-  std::optional<Rounded> rounded = std::nullopt;
+  std::optional<RoundedStudy> rounded = std::nullopt;
   std::string reason = {};
 };
 

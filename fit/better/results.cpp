@@ -8,6 +8,7 @@
 #include "approx/catalogue.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/input/known.hpp"
+#include "fit/input/parallel.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -107,9 +108,11 @@ std::vector<std::string> claim_ids() {
   return ids;
 }
 
-Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
-  for (const std::string& id : ids) require_known(id, known_ids(), "constant");
-  Results results;
+namespace {
+
+/// All but the comparisons: they share the fits.
+void compute_fits_and_claims(Results& results, const std::vector<std::string>& ids,
+                             const Checkpoint& checkpoint) {
   Fits fits;
   std::vector<const FittableFamily*> fresnel_families;
   for (const FittableFamily& family : fittable_families()) {
@@ -131,7 +134,22 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   results.reflectances = reflectance_curves(wanted);
   results.claims =
       judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, fits, checkpoint);
-  results.comparisons = comparisons(ids, checkpoint);
+}
+
+}  // namespace
+
+Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  for (const std::string& id : ids) require_known(id, known_ids(), "constant");
+  Results results;
+  // The proofs of the comparisons take nearly as long as all else.
+  const auto compute = [&](std::size_t part, const Checkpoint& next) {
+    if (part == 0) {
+      results.comparisons = comparisons(ids, next);
+    } else {
+      compute_fits_and_claims(results, ids, next);
+    }
+  };
+  for_each_in_parallel(2, compute, {.checkpoint = checkpoint});
   return results;
 }
 

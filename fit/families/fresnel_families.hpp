@@ -71,24 +71,6 @@ struct FresnelFamily {
     return lift<P>(relative_factor(s)) * (form(s, p) - lift<P>(s.target));
   }
 
-  /// relative error / error.
-  template <class T>
-  T relative_scale(const Sample<T>& s) const {
-    const T factor = relative_factor(s);
-    return surface.is_named() ? factor / (integer<T>(1) - normal_reflectance<T>(surface)) : factor;
-  }
-
-  /// log(form), linear in the parameters of an exponential form. `F` is the form: it is asked when it is
-  /// known.
-  template <class T, class P, class F = Form>
-  requires F::is_exponential P log_form(const Sample<T>& s, const std::array<P, N>& p)
-  const { return log(form(s, p)); }
-
-  /// log(form/target), infinite where the target is 0 or, as a metal's may be, below.
-  template <class T, class P, class F = Form>
-  requires F::is_exponential P log_ratio(const Sample<T>& s, const std::array<P, N>& p)
-  const { return log_form(s, p) - lift<P>(log(positive_part(s.target))); }
-
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
 
  private:
@@ -103,7 +85,6 @@ struct FresnelFamily {
 struct FresnelOneTerm : FresnelFamily<FresnelOneTerm, 1> {
   static constexpr const Family& info = fresnel_one_term_family;
   static constexpr std::array<std::string_view, 1> parameters{"A"};
-  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_one_term(c, p[0]);
@@ -118,7 +99,6 @@ struct FresnelOneTerm : FresnelFamily<FresnelOneTerm, 1> {
 struct FresnelQuadratic : FresnelFamily<FresnelQuadratic, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
-  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 2>& p) {
     return fresnel_quadratic(c, p[0], p[1]);
@@ -137,7 +117,6 @@ struct FresnelQuadratic : FresnelFamily<FresnelQuadratic, 2> {
 struct FresnelCubic : FresnelFamily<FresnelCubic, 3> {
   static constexpr const Family& info = fresnel_cubic_family;
   static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};
-  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 3>& p) {
     return fresnel_cubic(c, p[0], p[1], p[2]);
@@ -152,7 +131,6 @@ struct FresnelCubic : FresnelFamily<FresnelCubic, 3> {
 struct FresnelQuartic : FresnelFamily<FresnelQuartic, 4> {
   static constexpr const Family& info = fresnel_quartic_family;
   static constexpr std::array<std::string_view, 4> parameters{"a", "b", "d", "g"};
-  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 4>& p) {
     return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
@@ -167,7 +145,6 @@ struct FresnelQuartic : FresnelFamily<FresnelQuartic, 4> {
 struct FresnelFourth : FresnelFamily<FresnelFourth, 1> {
   static constexpr const Family& info = fresnel_fourth_family;
   static constexpr std::array<std::string_view, 1> parameters{"s"};
-  static constexpr bool is_exponential = false, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_fourth(c, p[0]);
@@ -179,7 +156,6 @@ struct FresnelFourth : FresnelFamily<FresnelFourth, 1> {
 struct FresnelSquare : FresnelFamily<FresnelSquare, 2> {
   static constexpr const Family& info = fresnel_square_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
-  static constexpr bool is_exponential = false, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 2>& p) {
     return fresnel_square(c, p[0], p[1]);
@@ -191,7 +167,6 @@ struct FresnelSquare : FresnelFamily<FresnelSquare, 2> {
 struct FresnelRational : FresnelFamily<FresnelRational, 1> {
   static constexpr const Family& info = fresnel_rational_family;
   static constexpr std::array<std::string_view, 1> parameters{"a"};
-  static constexpr bool is_exponential = false, is_linear = false;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_rational(c, p[0]);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,28 +26,10 @@ struct Shape {
     bool is_kink = false;  ///< there is a kink, with the behaviour of a square root on the side of the peak
   };
   std::optional<Joint> joint = std::nullopt;
-  /// It is singular at c = 0, below its domain: a lobe's relative error has log c and powers of 1/c.
-  bool is_singular_below = false;
-  /// A place where a weight on the error is not smooth. The part towards the peak ends at `above`, the other
-  /// begins at `below`: the same place or the next double. On both sides it is smooth in the `power`-th root
-  /// of the distance.
-  struct Edge {
-    double above, below;
-    int power = 1;
-  };
-  /// In falling order. With an edge, nothing is cut off, because a weight may raise the tail.
-  std::vector<Edge> edges = {};
-
-  /// The same with the roots that a derivative needs. Higher roots draw all nodes to an edge.
-  Shape with_square_roots() const {
-    Shape shape = *this;
-    for (Edge& edge : shape.edges) edge.power = std::min(edge.power, 2);
-    return shape;
-  }
 
   /// For a search, which needs no smoothness: split at a kink only.
   Shape for_search() const {
-    Shape shape = with_square_roots();
+    Shape shape = *this;
     if (joint && !joint->is_kink) shape.joint.reset();
     return shape;
   }
@@ -61,16 +42,12 @@ struct Shape {
 /// - A power c^k with k not whole is singular at c = 0. There c (or the angle from the horizon) becomes the
 /// q-th
 ///   power of 1 - s with q (k + 1) >= 8, after which Gauss-Legendre of n nodes converges like n^-16.
-/// - An edge of a weight, such as the end c = 1 of sqrt(1 - c), is smoothed in the same way, at either end of
-/// a panel.
-/// - A singularity below the domain is moved away from it: c is the eighth power of a variable that is linear
-///   in s.
 class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
 
-  /// The domain in panels, on each of which the integrand is smooth: one, one more if the joint is inside,
-  /// and one more for each edge inside.
+  /// The domain in panels, on each of which the integrand is smooth: one, and one more if the joint is
+  /// inside.
   static std::vector<Substitution> panels(const Metric& metric, const Shape& shape);
 
   /// The cosine measure between two places that are known to full precision, not cut off; in panels as above.
@@ -91,21 +68,17 @@ class Substitution {
   template <class T>
   Place<T> at(const T& s) const {
     const T one = integer<T>(1);
-    const T start = lift<T>(start_), range = one - start, remaining = one - s;
-    const T u = start + range * (is_rooted_at_peak_ ? s : remaining);
+    const T u = one - s;
     // 1 - u^q = (1 - u) (1 + u + .. + u^(q-1)): the distance from the other end without cancellation
-    const T rest_of_u = range * (is_rooted_at_peak_ ? remaining : s);
     T sum = one, last = one;  // last = u^(q-1)
     for (int i = 1; i < power_; ++i) {
       sum = sum * u + one;
       last = last * u;
     }
     const T length = lift<T>(length_);
-    const T from_other = length * (rest_of_u * sum);
-    const T from_root = length * (u * last);
-    const T& from_peak = is_rooted_at_peak_ ? from_root : from_other;
-    const T& from_end = is_rooted_at_peak_ ? from_other : from_root;
-    const T density = length * range * integer<T>(power_) * last;
+    const T from_peak = length * (s * sum);
+    const T from_end = length * (u * last);
+    const T density = length * integer<T>(power_) * last;
     const T y = lift<T>(near_) + from_peak;
     const T rest = lift<T>(rest_) + from_end;
     if (measure_ == Measure::cosine) return {{rest, y}, density};
@@ -123,73 +96,19 @@ class Substitution {
   long double total() const { return total_; }
 
  private:
-  /// The panels between the edges of a shape; `piece` makes one from its two ends.
-  template <class Piece>
-  static std::vector<Substitution> between_edges(const Cosine<double>& top, const Cosine<double>& bottom,
-                                                 const Shape& shape, const Piece& piece);
-
   /// Of a singularity (1 - c)^p or c^p with p > -1.
   static int smoothing_power(double p) { return std::max(1, static_cast<int>(std::ceil(8 / (1 + p)))); }
 
   Measure measure_;
-  int power_ = 1;                   ///< q
-  bool is_rooted_at_peak_ = false;  ///< the end that the q-th power is counted from: s = 0, not s = 1
-  long double near_ = 0;            ///< the variable at s = 0
-  long double length_ = 1;          ///< and from there to where u is 0, or 1 where it is rooted at the peak
-  long double rest_ = 0;            ///< from there to c = 0
-  long double start_ = 0;           ///< u at the end that the power is counted from
+  int power_ = 1;           ///< q
+  long double near_ = 0;    ///< the variable at s = 0
+  long double length_ = 1;  ///< and from there to where u is 0
+  long double rest_ = 0;    ///< from there to c = 0
   long double total_ = 1;
 };
 
-template <class Piece>
-std::vector<Substitution> Substitution::between_edges(const Cosine<double>& top, const Cosine<double>& bottom,
-                                                      const Shape& shape, const Piece& piece) {
-  std::vector<Shape::Edge> edges = shape.edges;
-  if (shape.joint) edges.push_back({shape.joint->cosine, shape.joint->cosine, shape.joint->is_kink ? 2 : 1});
-  if (bottom.cos_theta == 0 && shape.end_power != std::floor(shape.end_power))
-    edges.push_back({0, 0, smoothing_power(shape.end_power)});
-  std::ranges::stable_sort(edges, std::greater(), &Shape::Edge::above);
-
-  std::vector<Substitution> result;
-  Cosine<double> from = top;
-  int from_power = 1;
-  const auto add = [&](const Cosine<double>& to, int q, bool is_rooted_at_peak) {
-    if (!(from.cos_theta > to.cos_theta)) return;
-    result.push_back(piece(from, to));
-    result.back().power_ = q;
-    result.back().is_rooted_at_peak_ = is_rooted_at_peak;
-    from = to;
-  };
-  // A root draws the nodes to its end; the other half of a panel needs its own rule.
-  const auto go_to = [&](const Cosine<double>& to, int q) {
-    if (std::max(from_power, q) > 1) {
-      const double middle = to.cos_theta + (from.cos_theta - to.cos_theta) / 2;
-      add({middle, 1 - middle}, from_power, true);
-    }
-    add(to, q, false);
-  };
-  int last_power = 1;
-  for (const Shape::Edge& edge : edges) {
-    if (edge.above >= top.cos_theta) {
-      from_power = std::max(from_power, edge.power);
-    } else if (edge.below <= bottom.cos_theta) {
-      last_power = std::max(last_power, edge.power);
-    } else {
-      go_to({edge.above, 1 - edge.above}, edge.power);
-      from = {edge.below, 1 - edge.below};
-      from_power = edge.power;
-    }
-  }
-  go_to(bottom, last_power);
-  return result;
-}
-
 inline std::vector<Substitution> Substitution::between(const Cosine<double>& top,
                                                        const Cosine<double>& bottom, const Shape& shape) {
-  if (!shape.edges.empty())
-    return between_edges(top, bottom, shape, [](const Cosine<double>& from, const Cosine<double>& to) {
-      return between(from, to).front();
-    });
   const auto& joint = shape.joint;
   if (joint && bottom.cos_theta < joint->cosine && joint->cosine < top.cos_theta) {
     const Cosine<double> middle{joint->cosine, 1 - joint->cosine};
@@ -208,13 +127,6 @@ inline std::vector<Substitution> Substitution::between(const Cosine<double>& top
 
 inline std::vector<Substitution> Substitution::panels(const Metric& metric, const Shape& shape) {
   const Domain& domain = metric.domain;
-  if (!shape.edges.empty())
-    return between_edges({domain.upper, 1 - domain.upper}, {domain.lower, 1 - domain.lower}, shape,
-                         [&](const Cosine<double>& from, const Cosine<double>& to) {
-                           Metric part = metric;
-                           part.domain = {to.cos_theta, from.cos_theta};
-                           return Substitution(part, {});
-                         });
   const auto& joint = shape.joint;
   if (!joint || joint->cosine <= domain.lower || joint->cosine >= domain.upper) return {{metric, shape}};
   Metric above = metric, below = metric;
@@ -243,13 +155,6 @@ inline Substitution::Substitution(const Metric& metric, const Shape& shape) : me
   const bool is_singular = shape.end_power != std::floor(shape.end_power);
   if (is_singular && !is_cut && metric.domain.lower == 0) {
     power_ = smoothing_power(shape.end_power);
-  }
-  if (shape.is_singular_below && metric.domain.lower > 0) {
-    power_ = 8;
-    length_ = variable(1.0L) - near_;
-    rest_ = 0;
-    const auto lower = static_cast<long double>(metric.domain.lower);
-    start_ = std::pow((measure_ == Measure::angle ? std::asin(lower) : lower) / length_, 0.125L);
   }
 }
 

@@ -52,7 +52,7 @@ RoundedStudy searched(const RoundingTask& asked, const Lattice& lattice, Problem
   for (const auto& values : fitted_values(asked.objective, asked.fit, asked.checkpoint))
     starts.push_back(point_of(values));
   if (!asked.published.empty()) starts.insert(starts.begin() + 1, point_of(asked.published));
-  const auto best = search_format<N>(lattice_problem<N>(problem), lattice.last(), starts, {}, asked.format,
+  const auto best = search_format<N>(lattice_problem<N>(problem), lattice.last(), starts, asked.format,
                                      most_boxes_of_studies, asked.checkpoint);
   RoundedStudy result{.format = asked.format,
                       .best = set_of(best.point),

@@ -11,6 +11,7 @@
 #include "fit/proof/interval_ends.hpp"
 #include "fit/rounding/lattice_search.hpp"
 #include "fit/rounding/study_in_format.hpp"
+#include "fit/scalars/hinges.hpp"
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/study/even_grid.hpp"
 #include "fit/study/largest_error.hpp"
@@ -113,6 +114,46 @@ class NarrowStudyProblem {
   StudyTrials<CorrectArithmetic<Format>> trials_;
 };
 
+/// The denominators of a form of one variable that are smooth and contain a parameter. Constants with which
+/// one changes its sign have a pole, each at another place: a trial would not rule out many of them.
+class StudyPoles {
+ public:
+  explicit StudyPoles(const ReadStudy& study) {
+    if (study.axes.size() > 1) return;
+    ends_ = {study.axes.front().lower, study.axes.front().upper};
+    for (const Hinge& hinge : hinges_of(study.form)) {
+      const auto names = free_variables(hinge.part);
+      const bool is_moved =
+          std::ranges::any_of(study.parameters, [&](const auto& name) { return names.contains(name); });
+      if (hinge.is_pole && is_moved && hinges_of(hinge.part).empty())
+        denominators_.push_back(TapeProgram<Bounds>(tape_of(hinge.part, formula_inputs(study)), {}));
+    }
+  }
+
+  /// Whether all constants of a box have a pole.
+  template <class Lattice, std::size_t N>
+  bool are_in_all(const Lattice& lattice, const LatticeBox<N>& box) {
+    return std::ranges::any_of(denominators_, [&](auto& denominator) {
+      bool is_below = false, is_above = false;
+      for (const double end : ends_) {
+        std::vector<Bounds> inputs{Bounds(end)};
+        for (std::size_t k = 0; k < N; ++k)
+          inputs.emplace_back(lattice.value(box.lower[k]), lattice.value(box.upper[k]));
+        denominator.run(inputs);
+        is_below = is_below || denominator.output(0).upper() < 0;
+        is_above = is_above || denominator.output(0).lower() > 0;
+      }
+      return is_below && is_above;
+    });
+  }
+
+ private:
+  using Bounds = RoundedInterval<OutwardArithmetic>;
+
+  std::array<double, 2> ends_{};
+  std::vector<TapeProgram<Bounds>> denominators_;
+};
+
 /// A wide format: the error is that of the form in real numbers, whose maximum is sampled and refined, or
 /// infinite if no bound of it can be proven, as with a pole between the samples. Ruling out constants is
 /// rigorous nevertheless: it encloses form, target and factor at places where the form is too far from the
@@ -128,13 +169,15 @@ class RealStudyProblem {
         has_bound_(std::move(has_bound)),
         target_(tape_of(study.target, node_variables(study)), {}),
         factor_(tape_of(error_factor(study), node_variables(study)), {}),
-        trials_(study) {
+        trials_(study),
+        poles_(study) {
     for (const auto& place : even_grid(study.axes, steps_of_trials.at(study.axes.size() - 1)))
       add_trial(place);
   }
 
   template <std::size_t N>
   double bound(const LatticeBox<N>& box, double best) {
+    if (poles_.are_in_all(lattice_, box)) return unbounded;
     constexpr double below = 1 - 0x1p-51;  // a difference and a product are rounded
     return below * trials_.least_error(lattice_, box, best);
   }
@@ -164,6 +207,7 @@ class RealStudyProblem {
   std::function<bool(const std::vector<double>&)> has_bound_;
   TapeProgram<Interval> target_, factor_;
   StudyTrials<OutwardArithmetic> trials_;
+  StudyPoles poles_;
 };
 
 }  // namespace shadefit

@@ -4,8 +4,8 @@
 #include <queue>
 #include <utility>
 
+#include "fit/proof/bound_width.hpp"
 #include "fit/proof/enclosed_constant.hpp"
-#include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
@@ -142,7 +142,9 @@ double usual_study_width(std::size_t variables) {
 
 CertifiedStudy certify_study(const StudySubject& subject, double width, const Checkpoint& checkpoint,
                              std::size_t box_limit, const KnownIntegrals* known) {
-  require_width(width);
+  if (!(width >= least_width && width < 1))
+    throw UserError("width '" + decimal(width, 6) + "' cannot be reached: it must be at least " +
+                    decimal(least_width, 6) + ", what an enclosure by doubles can say, and less than 1");
   if (const std::string fault = fault_of(subject); !fault.empty()) throw UserError(fault);
   const ReadStudy study = read_formulas(subject.study);
   std::vector<Interval> parameters;
@@ -151,8 +153,7 @@ CertifiedStudy certify_study(const StudySubject& subject, double width, const Ch
                       known != nullptr ? *known : KnownIntegrals{});
   LargestStudyError largest(error);
   CertifiedStudy result;
-  // One variable never needs more than the search of a built-in family (fit/proof/enclosure.hpp).
-  std::size_t most = study.axes.size() == 1 ? most_boxes : most_study_boxes;
+  std::size_t most = study.axes.size() == 1 ? most_boxes_of_one_variable : most_study_boxes;
   if (error.has_integrals()) most = most_boxes_of_integrals;
   result.is_reached = largest.search(width, std::min(box_limit, most), checkpoint);
   if (!std::isfinite(largest.upper()))

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/proof/certificate.hpp"
+#include "fit/proof/proof.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/checkpoint.hpp"

@@ -18,10 +18,9 @@ namespace shadefit {
 ///
 /// The error of an operation is its own rounding plus the effect of its operands' errors, by the mean value
 /// theorem between the true and the computed operands. It is also never more than what the two enclosures
-/// allow. That helps where a slope is infinite: next to a root the enclosures shrink with the box.
-/// `RunningError` (fit/proof/running_error.hpp) has no second enclosure, so it cannot know that the float
-/// 1 - x is not negative for x <= 1. Source: Higham 2002, "Accuracy and Stability of Numerical Algorithms",
-/// 2nd edition, section 3.3.
+/// allow. That helps where a slope is infinite: next to a root the enclosures shrink with the box, and the
+/// float 1 - x is not negative for x <= 1. Source: Higham 2002, "Accuracy and Stability of Numerical
+/// Algorithms", 2nd edition, section 3.3.
 template <class Format>
 struct RunningNarrow {
   Interval value;     ///< encloses the true value

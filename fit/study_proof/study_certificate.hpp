@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/proof/certificate.hpp"
 #include "fit/proof/constants.hpp"
+#include "fit/proof/proof.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/checkpoint.hpp"
@@ -46,9 +46,8 @@ struct CertifiedStudy {
 /// far less.
 double usual_study_width(std::size_t variables);
 
-/// The most boxes of a search in two and three variables; in one there are at most `most_boxes`
-/// (fit/proof/enclosure.hpp). A box is two characters of a certificate.
-inline constexpr std::size_t most_study_boxes = 200'000;
+/// The most boxes of a search, and in one variable. A box is two characters of a certificate.
+inline constexpr std::size_t most_study_boxes = 200'000, most_boxes_of_one_variable = 20'000;
 
 /// The most boxes if a formula has an integral: each takes milliseconds.
 inline constexpr std::size_t most_boxes_of_integrals = 4'000;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "fit/formula/parse_formula.hpp"
 #include "fit/proof/enclosed_constant.hpp"
@@ -59,6 +60,16 @@ std::string check_boxes(const StudyCertificate& certificate, const ReadStudy& st
   });
 }
 
+/// A proof holds again only in an arithmetic that is at least as wide.
+std::string fault_of_bounds(const StudyCertificate& certificate) {
+  if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
+    return "its bounds are not an interval";
+  if (certificate.precision <= 0 || certificate.precision > interval_precision())
+    return "it was made with " + std::to_string(certificate.precision) + " bits, this build uses " +
+           std::to_string(interval_precision());
+  return "";
+}
+
 }  // namespace
 
 std::string fault_of(const StudySubject& subject) {
@@ -86,8 +97,7 @@ std::string reason_to_refuse(const StudyCertificate& certificate, const ShareDon
   if (std::string fault = fault_of(certificate.subject); !fault.empty()) return fault;
   const ReadStudy study = read_formulas(certificate.subject.study);
   if (std::string reason = check_ranges(certificate, study); !reason.empty()) return reason;
-  std::string fault = fault_of_bounds(certificate.lower, certificate.upper, certificate.precision);
-  if (!fault.empty()) return fault;
+  if (std::string fault = fault_of_bounds(certificate); !fault.empty()) return fault;
   std::vector<Interval> parameters;
   for (const auto& [name, text] : certificate.subject.parameters)
     parameters.push_back(enclosed_constant(text).value());

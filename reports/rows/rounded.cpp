@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json constants_json(const FittableFamily& family, const RoundedConstants& constants, Error error) {
-  return {{"parameters", json_object(family.parameters, constants.parameters)},
+Json constants_json(const FittableFamily& family, const RoundedStudySet& constants, Error error) {
+  return {{"parameters", json_object(family.parameters, constants.values)},
           {"decimal", json_object(family.parameters, constants.texts)},
-          {"hex", json_object(family.parameters, constants.parameters, hex_text)},
+          {"hex", json_object(family.parameters, constants.values, hex_text)},
           {error == Error::relative ? "max_rel_error" : "max_abs_error", constants.max_error},
-          {"at", constants.at},
+          {"at", constants.at.front()},
           {"real_error", optional_json(constants.real_error)},
           {"rounding_error", optional_json(constants.rounding_error)},
           {"srgb_codes", optional_json(constants.srgb_codes)},
@@ -31,28 +31,27 @@ std::string_view short_name(Error error) {
   return error == Error::relative ? "rel" : "abs";
 }
 
-std::vector<Cell> row_of(const std::string_view name, const RoundedConstants& constants) {
+std::vector<Cell> row_of(const std::string_view name, const RoundedStudySet& constants) {
   std::vector<Cell> row{std::string(name)};
-  for (std::size_t i = 0; i < constants.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < constants.values.size(); ++i) {
     row.emplace_back(constants.texts[i]);
-    row.emplace_back(hex_text(constants.parameters[i]));
+    row.emplace_back(hex_text(constants.values[i]));
   }
   row.push_back(at_most(constants.max_error));
-  row.emplace_back(Number{constants.at, 6});
+  row.emplace_back(Number{constants.at.front(), 6});
   for (const auto& bound : {constants.gpu_bound, constants.srgb_codes})
     row.push_back(bound ? at_most(*bound) : Cell());
   return row;
 }
 
-/// The meaning of `max error`.
-std::string meaning_of_error(const NumberFormat& format) {
-  if (format.is_narrow()) return "every operation rounded, at every " + to_text(format) + " of the domain";
-  return fmt::format(
-      "a proven bound: of the form in real numbers, and of the rounding of each operation in {}",
-      format.kind == NumberFormat::Kind::single ? "float" : "double");
-}
-
 }  // namespace
+
+std::string meaning_of_error(const RoundedStudy& rounded) {
+  if (!rounded.best.real_error)
+    return "every operation rounded, at every " + to_text(rounded.format) + " of the range";
+  if (!rounded.best.rounding_error) return "proven, of the form in real numbers";
+  return "a proven bound: of the form in real numbers, and of the rounding of each operation in float";
+}
 
 Cell at_most(double bound, int digits) {
   if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
@@ -77,15 +76,14 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
     table.columns.emplace_back(parameter);
     table.columns.push_back(std::string(parameter) + " hex");
   }
-  const auto first = std::ranges::find_if(fits, [](const auto& f) { return f.rounded.has_value(); });
-  const Error error = first == fits.end() ? Error::absolute : first->rounded->error;
+  const Error error = refit.fits.front().fit.metric.error;
   table.columns.push_back(fmt::format("max {} error", short_name(error)));
   for (const char* column : {"at c", "on a GPU at most", "8-bit sRGB codes"})
     table.columns.emplace_back(column);
   for (std::size_t i = 0; i < fits.size(); ++i) {
     if (!fits[i].rounded) continue;
-    const Rounded& rounded = *fits[i].rounded;
-    const auto add = [&](std::string_view name, const RoundedConstants& constants) {
+    const RoundedStudy& rounded = *fits[i].rounded;
+    const auto add = [&](std::string_view name, const RoundedStudySet& constants) {
       auto& row = table.rows.emplace_back(row_of(name, constants));
       if (family.has_exponent()) row.insert(row.begin(), Number{*refit.fits[i].fit.exponent, all_digits});
     };
@@ -96,16 +94,15 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
   return table;
 }
 
-std::string rounded_text(const std::vector<RoundedFit>& fits) {
+std::string rounded_text(const std::vector<RoundedFit>& fits, Error error) {
   std::vector<std::string> said;
   for (const RoundedFit& fit : fits) {
     if (!fit.rounded) {
       said.push_back(fmt::format("Not rounded: {}.", fit.reason));
       continue;
     }
-    const Rounded& rounded = *fit.rounded;
-    said.push_back(
-        fmt::format("Max {} error: {}.", short_name(rounded.error), meaning_of_error(rounded.format)));
+    const RoundedStudy& rounded = *fit.rounded;
+    said.push_back(fmt::format("Max {} error: {}.", short_name(error), meaning_of_error(rounded)));
     if (rounded.best.gpu_bound) said.push_back(fmt::format("On a GPU: {}.", gpu_assumption));
     said.push_back(
         meaning_of_best(rounded, rounded.format.is_narrow() ? "" : " by their error in real numbers"));
@@ -113,25 +110,24 @@ std::string rounded_text(const std::vector<RoundedFit>& fits) {
   return each_once(said);
 }
 
-void add_rounded_json(Json& fit_json, const FittableFamily& family, const RoundedFit& fit) {
+void add_rounded_json(Json& fit_json, const FittableFamily& family, const RoundedFit& fit, Error error) {
   if (!fit.rounded) {
     fit_json["rounded"] = nullptr;
     fit_json["rounded_reason"] = fit.reason;
     return;
   }
-  const Rounded& rounded = *fit.rounded;
-  const auto json_of = [&](const RoundedConstants& constants) {
-    return constants_json(family, constants, rounded.error);
+  const RoundedStudy& rounded = *fit.rounded;
+  const auto json_of = [&](const RoundedStudySet& constants) {
+    return constants_json(family, constants, error);
   };
-  Json json{{"format", to_text(rounded.format)}, {"error", name(rounded.error)}};
+  Json json{{"format", to_text(rounded.format)}, {"error", name(error)}};
   json.update(json_of(rounded.best));
   json["naive"] = json_of(rounded.naive);
   json["published"] = rounded.published ? json_of(*rounded.published) : Json();
   json["proven"] = rounded.is_proven;
   json["searched"] = rounded.searched;
-  json["boxes"] = rounded.boxes;
   json["tried"] = rounded.evaluated;
-  json["error_is"] = meaning_of_error(rounded.format);
+  json["error_is"] = meaning_of_error(rounded);
   json["gpu_model"] = rounded.best.gpu_bound ? Json(gpu_assumption) : Json();
   fit_json["rounded"] = json;
 }

@@ -16,6 +16,9 @@ namespace shadefit {
 /// A bound with so many digits, rounded up, so that the printed number is a bound too.
 Cell at_most(double bound, int digits = 6);
 
+/// The meaning of `max_error` of rounded constants.
+std::string meaning_of_error(const RoundedStudy& rounded);
+
 /// The meaning of "best", of the rounded constants of a fit or a study; `by` says by which error, if need be.
 template <class AnyRounded>
 std::string meaning_of_best(const AnyRounded& rounded, std::string_view by = "") {
@@ -33,9 +36,10 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits);
 
 /// Lines for the console: the meaning of the table's errors, and the constants among which the best were
 /// searched.
-std::string rounded_text(const std::vector<RoundedFit>& fits);
+std::string rounded_text(const std::vector<RoundedFit>& fits, Error error);
 
 /// Appends `rounded` to the JSON of a fit: null if there is none; then `rounded_reason` says why.
-void add_rounded_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const RoundedFit& fit);
+void add_rounded_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const RoundedFit& fit,
+                      Error error);
 
 }  // namespace shadefit

@@ -1,8 +1,13 @@
 #include "reports/studies/study_certificate_json.hpp"
 
+#include <string_view>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "fit/input/json_document.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
 #include "reports/io/own_json.hpp"
 #include "reports/rows/fit_json.hpp"
 
@@ -12,6 +17,16 @@ namespace {
 using Json = OwnJson;
 
 constexpr const char* kind_of_study_file = "shadefit certificate of a study";
+/// Of a family, before families were proven as studies.
+constexpr const char* former_kind = "shadefit certificate";
+
+const std::vector<std::pair<std::string_view, Error>> named_errors{{name(Error::absolute), Error::absolute},
+                                                                   {name(Error::relative), Error::relative}};
+
+/// Numbers as `hex_text` writes them.
+Json hex_list(const std::vector<double>& values) {
+  return json_array(values, hex_text);
+}
 
 Json definitions_json(const std::vector<StudyDefinition>& definitions) {
   return json_array(definitions, [](const StudyDefinition& definition) -> Json {
@@ -35,9 +50,9 @@ StudySubject read_study_subject(const Json& json) {
   return subject;
 }
 
-ReadCertificate<StudyCertificate> study_certificate_of(const Json& json) {
+ReadCertificate study_certificate_of(const Json& json) {
   require_kind(json, kind_of_study_file, study_certificate_schema);
-  ReadCertificate<StudyCertificate> result{.refused = fault_of_digest(json)};
+  ReadCertificate result{.refused = fault_of_digest(json)};
   StudyCertificate& certificate = result.certificate;
   certificate.subject = read_study_subject(json);
   for (const Json& range : json.at("over")) {
@@ -84,14 +99,13 @@ std::string certificate_text(const StudyCertificate& certificate) {
   return write_study_certificate_json(certificate).dump(1) + "\n";
 }
 
-bool is_study_certificate(const std::string& text, const std::string& name) {
-  const Json json = parse_own_json(text, "certificate '" + name + "'");
-  return json.is_object() && json.contains("file") && json.at("file") == kind_of_study_file;
-}
-
-ReadCertificate<StudyCertificate> read_study_certificate(const std::string& text, const std::string& name) {
+ReadCertificate read_study_certificate(const std::string& text, const std::string& name) {
   const std::string file = "certificate '" + name + "'";
   const Json json = parse_own_json(text, file);
+  if (json.is_object() && json.contains("file") && json.at("file") == former_kind)
+    throw UserError(file +
+                    " is of a family, by an earlier build: families are proven as studies now; make it "
+                    "again with 'shadefit certify'");
   return read_own(file, [&] { return study_certificate_of(json); });
 }
 

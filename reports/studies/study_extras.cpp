@@ -70,14 +70,6 @@ Table roundings_table(const std::vector<FittedStudy>& studies,
   return table;
 }
 
-/// The meaning of `max_error` of rounded constants.
-std::string meaning_of_error(const RoundedStudy& rounded) {
-  if (!rounded.best.real_error)
-    return "every operation rounded, at every " + to_text(rounded.format) + " of the range";
-  if (!rounded.best.rounding_error) return "proven, of the form in real numbers";
-  return "a proven bound: of the form in real numbers, and of the rounding of each operation in float";
-}
-
 std::string objective_name(const FittedStudy& study) {
   return std::string(study.fit.level ? "largest " : "rms ") +
          (study.asked().error == Error::relative ? "relative error" : "error") +

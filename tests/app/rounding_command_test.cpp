@@ -50,7 +50,7 @@ TEST(FitRound, ForTheConsole) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part :
        {"best", "fitted, rounded", "published, rounded", "0x1.", "on a GPU at most",
-        "every operation rounded, at every half of the domain", "exp2 within 4 ulp of a float",
+        "every operation rounded, at every half of the range", "exp2 within 4 ulp of a float",
         "Best: proven, among all finite numbers of the format."})
     expect_has(outcome.out, part);
 }

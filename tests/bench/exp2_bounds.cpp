@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "approx/scalar.hpp"
-#include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
-#include "fit/proof/running_error.hpp"
 #include "fit/scalars/jet.hpp"
+#include "tests/bench/enclosure.hpp"
+#include "tests/bench/running_error.hpp"
 
 namespace shadefit::testing {
 namespace {

@@ -11,10 +11,10 @@
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
-#include "fit/proof/exponent_bits.hpp"
 #include "fit/scalars/binary_logarithm.hpp"
 #include "tests/bench/exp2_bounds.hpp"
 #include "tests/bench/exp2_choices.hpp"
+#include "tests/bench/exponent_bits.hpp"
 
 namespace shadefit {
 namespace {

@@ -8,7 +8,7 @@
 #include "bench/peers/tasks/shadefit_tasks.hpp"
 #include "fit/fit.hpp"
 #include "fit/integrals/normalisation_check.hpp"
-#include "fit/proof/certificate.hpp"
+#include "fit/study_proof/family_subject.hpp"
 #include "fit/study_squares/prepared_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 
@@ -35,10 +35,10 @@ Answer search() {
 }
 
 Answer prove(double width) {
-  const shadefit::Subject pair{
+  const shadefit::FamilySubject pair{
       .family = "fresnel-quadratic",
       .parameters = {{"a", std::string(published_a.printed)}, {"b", std::string(published_b.printed)}}};
-  const auto certificate = shadefit::certify(pair, width).certificate;
+  const auto certificate = shadefit::certify_study(in_words(pair), width).certificate;
   return {{"level", certificate.lower}, {"level", certificate.upper}};
 }
 

@@ -1,4 +1,5 @@
 #include "fit/scalars/taylor.hpp"
+#include "fit/proof/interval_ends.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 
 #include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/every_number.hpp"
-#include "fit/rounding/rounding.hpp"
+#include "fit/rounding/round_family.hpp"
 #include "fit/rounding/study_lattice.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
@@ -34,17 +34,6 @@ RoundedStudy rounded(const Study& study, Norm norm, const NumberFormat& format) 
 
 const Study fresnel_pair{.target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
 const Study line_of_square{.target = "x^2", .form = "a + b x", .over = {{"x", "0", "1"}}};
-
-// Text and family: the same constants among all decimals of four digits.
-TEST(RoundStudy, FindsTheConstantsOfTheFamily) {
-  const RoundedStudy found = rounded(fresnel_pair, Norm::least_squares, decimals(4));
-  const FittableFamily& family = *find_family("fresnel-quadratic");
-  const Rounded expected = round_fit(family.fit({}, {}), decimals(4), {});
-  EXPECT_EQ(found.best.texts, expected.best.texts);
-  EXPECT_EQ(found.naive.texts, expected.naive.texts);
-  EXPECT_TRUE(found.is_proven);
-  EXPECT_NEAR(found.best.max_error / *expected.best.real_error, 1, 1e-6);
-}
 
 std::map<std::string, Study> studies_of_references() {
   return {{"pair", fresnel_pair},
@@ -128,8 +117,7 @@ TEST(RoundStudy, APlantedWrongBoundLosesTheBest) {
     const LatticeProblem<2> planted{
         [&](const LatticeBox<2>& box, double best) { return factor * problem.bound(box, best); },
         [&](const LatticePoint<2>& point, double best) { return problem.error(point, best); }};
-    const auto found =
-        search_format<2>(planted, lattice.last(), starts, {}, half_format, 100'000, keep_going);
+    const auto found = search_format<2>(planted, lattice.last(), starts, half_format, 100'000, keep_going);
     return in_half.largest_error(values_at(lattice, found.point)).magnitude;
   };
   EXPECT_NEAR(error_with(1), 0.00357959451, 1e-11);

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "fit/proof/box.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/gpu_model.hpp"
 #include "fit/scalars/narrow_result.hpp"
+#include "tests/bench/box.hpp"
 
 /// Proven bounds of the rounding error of a formula: running error analysis with intervals.
 namespace shadefit {

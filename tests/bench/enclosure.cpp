@@ -1,4 +1,4 @@
-#include "fit/proof/enclosure.hpp"
+#include "tests/bench/enclosure.hpp"
 
 #include <algorithm>
 #include <cmath>

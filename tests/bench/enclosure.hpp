@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "fit/proof/bound_width.hpp"
-#include "fit/proof/box.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "tests/bench/box.hpp"
 
 /// The proven maximum of the magnitude of a function of the cosine, by interval branch and bound.
 namespace shadefit {
