@@ -7,7 +7,7 @@ namespace shadefit {
 
 enum class Status {
   converged,  ///< one optimum; in wider arithmetic the Newton step there is below `settled` of each parameter
-  ambiguous,  ///< the three starts did not meet within `same_optimum` of each other
+  ambiguous,  ///< another curve is as good
   not_converged,  ///< no quadrature rule settled the answer, or the gradient is not zero there
   not_finite,     ///< a value was infinite or not a number
   degenerate,     ///< of minimax: fewer alternation points than parameters + 1 hold the optimum

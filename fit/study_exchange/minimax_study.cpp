@@ -100,6 +100,33 @@ double rounding_at(const StudyError& error, const std::vector<double>& parameter
   return rounding * std::numeric_limits<double>::epsilon();
 }
 
+/// The place of the largest error, if it is above the level: the exchange has not seen it.
+std::optional<double> missed_place(const ReadStudy& study, const StudyError& error,
+                                   const MinimaxOptimum& optimum, const std::vector<double>& parameters) {
+  const StudyExtremum largest = largest_weighted_error(study, parameters);
+  constexpr double same_level = 1e-6;
+  const double level = optimum.level * (1 + same_level) + rounding_at(error, parameters, largest.at);
+  return largest.magnitude > level ? std::optional(largest.at.front()) : std::nullopt;
+}
+
+/// Goes on from an end with panels that meet where its error is largest, until it has seen that place.
+void go_on_where_missed(const ReadStudy& study, const StudyError& error, const Constraints& constraints,
+                        ExchangeEnd& end) {
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds && end.optimum.status == Status::converged; ++round) {
+    MinimaxParameters& p = end.optimum.parameters;
+    const std::vector<double> parameters(p.begin(),
+                                         p.begin() + static_cast<std::ptrdiff_t>(study.parameters.size()));
+    const auto missed = missed_place(study, error, end.optimum, parameters);
+    const auto next =
+        missed ? std::ranges::lower_bound(end.edges, *missed, {}, &StudyEdge::at) : end.edges.end();
+    if (next == end.edges.end() || next->at == *missed) return;
+    end.edges.insert(next, {*missed});
+    const ExchangedStudy exchanged(study, error, end.edges, parameters, constraints);
+    end.optimum = solve_minimax(exchanged.problem(), MinimaxParameters(p));
+  }
+}
+
 /// Whether the first end is the better answer. A level that is higher than one that was seen is no answer,
 /// though the exchange settled there. Under constraints the lower one may violate them.
 bool is_better(const ExchangeEnd& a, const ExchangeEnd& b, bool is_constrained) {
@@ -151,6 +178,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
     const ExchangeEnd end = from(candidate.parameters);
     if (const auto start = other_side(study, exchanged, candidate.parameters, end)) from(*start);
   }
+  if (moving_kinks(study).empty()) go_on_where_missed(study, error, constraints, *found);
   const MinimaxOptimum* best = &found->optimum;
   StudyFit fit;
   fit.names = study.parameters;
@@ -185,10 +213,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   if (fit.status != Status::converged) return fit;
   fit.rms_error = rms_error(study, error, fit.parameters);
   fit.max_abs_error = largest_error(study, {found->edges}, fit.parameters);
-  const bool is_plain = study.error == Error::absolute && is_one(study.weight);
-  const StudyExtremum largest = is_plain ? fit.max_abs_error : largest_weighted_error(study, fit.parameters);
-  constexpr double same_level = 1e-6;
-  if (largest.magnitude > *fit.level * (1 + same_level) + rounding_at(error, fit.parameters, largest.at))
+  if (missed_place(study, error, found->optimum, fit.parameters))
     fail(fit, Status::not_converged, "the largest error is above the level of the alternation");
   confirm_integrals(study, fit);
   return fit;
