@@ -101,12 +101,12 @@ double rounding_at(const StudyError& error, const std::vector<double>& parameter
 }
 
 /// The place of the largest error, if it is above the level: the exchange has not seen it.
-std::optional<double> missed_place(const ReadStudy& study, const StudyError& error,
-                                   const MinimaxOptimum& optimum, const std::vector<double>& parameters) {
+std::optional<double> missed_place(const ReadStudy& study, const StudyError& error, double level,
+                                   const std::vector<double>& parameters) {
   const StudyExtremum largest = largest_weighted_error(study, parameters);
   constexpr double same_level = 1e-6;
-  const double level = optimum.level * (1 + same_level) + rounding_at(error, parameters, largest.at);
-  return largest.magnitude > level ? std::optional(largest.at.front()) : std::nullopt;
+  const double most = level * (1 + same_level) + rounding_at(error, parameters, largest.at);
+  return largest.magnitude > most ? std::optional(largest.at.front()) : std::nullopt;
 }
 
 /// Goes on from an end with panels that meet where its error is largest, until it has seen that place.
@@ -117,7 +117,7 @@ void go_on_where_missed(const ReadStudy& study, const StudyError& error, const C
     MinimaxParameters& p = end.optimum.parameters;
     const std::vector<double> parameters(p.begin(),
                                          p.begin() + static_cast<std::ptrdiff_t>(study.parameters.size()));
-    const auto missed = missed_place(study, error, end.optimum, parameters);
+    const auto missed = missed_place(study, error, end.optimum.level, parameters);
     const auto next =
         missed ? std::ranges::lower_bound(end.edges, *missed, {}, &StudyEdge::at) : end.edges.end();
     if (next == end.edges.end() || next->at == *missed) return;
@@ -213,7 +213,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   if (fit.status != Status::converged) return fit;
   fit.rms_error = rms_error(study, error, fit.parameters);
   fit.max_abs_error = largest_error(study, {found->edges}, fit.parameters);
-  if (missed_place(study, error, found->optimum, fit.parameters))
+  if (missed_place(study, error, *fit.level, fit.parameters))
     fail(fit, Status::not_converged, "the largest error is above the level of the alternation");
   confirm_integrals(study, fit);
   return fit;
