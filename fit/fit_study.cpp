@@ -79,12 +79,12 @@ std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>&
 
 /// The minimax fit from the least squares of the first start.
 StudyFit minimax_from(const StudyObjective& objective, const std::vector<double>& start) {
-  StudyObjective from = objective;
-  from.study.has_only_starts = true;
-  ReadStudy read = read_study(from.study);
-  if (!from.study.cuts) take_limits(read);
-  for (std::size_t i = 0; i < start.size(); ++i) from.study.starts.push_back({read.parameters[i], start[i]});
-  return solve_minimax_study(read, objective.constraints, from.study.starts);
+  ReadStudy study = read_study(objective.study);
+  study.has_only_starts = true;
+  if (!objective.study.cuts) take_limits(study);
+  std::vector<Held> starts;
+  for (std::size_t i = 0; i < start.size(); ++i) starts.push_back({study.parameters[i], start[i]});
+  return solve_minimax_study(study, objective.constraints, starts);
 }
 
 }  // namespace
