@@ -208,10 +208,8 @@ Solution solve(const F& family, const Setting& setting, const Metric& metric) {
   return solution_of<F>(found, setting, metric.constraints);
 }
 
-/// Why a solution is rejected: its parameters or its errors contradict its status. Empty if they do not.
-template <class F>
-std::string contradiction_in(const F& family, const Fit& fit) {
-  if (pole_of(family, fit.metric.domain, fit.parameters)) return "the form has a pole in the domain";
+/// Why a solution is rejected: its errors contradict each other. Empty if they do not.
+std::string contradiction_in(const Fit& fit) {
   const bool is_relative = fit.metric.error == Error::relative;
   const double largest = is_relative ? fit.max_rel_error.value().magnitude : fit.max_abs_error.magnitude;
   return contradiction_of(fit.rms_error, largest);
@@ -264,7 +262,7 @@ Fit fit(const Setting& setting, const Metric& metric) {
     } else {
       result.relative_to = "nothing: the target is nowhere between 1/255 and what a double can reach";
     }
-    result.why = contradiction_in(family, result);
+    result.why = contradiction_in(result);
     if (!result.why.empty()) result.status = Status::not_converged;
   }
   if constexpr (HasDenominator<F>) {

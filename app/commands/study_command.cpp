@@ -125,8 +125,7 @@ struct StudyExtras {
   std::vector<std::optional<StudySensitivity>> sensitivities;
 };
 
-/// Returns the numbers of the first published set. The result is empty if there is no set, or if one of its
-/// texts is not a number.
+/// The numbers of the first published set. Empty without a set, and if one of its texts is not a number.
 std::vector<double> published_values(const FittedStudy& study) {
   std::vector<double> values;
   if (study.published.empty()) return values;

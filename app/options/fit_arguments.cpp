@@ -14,7 +14,7 @@
 #include "fit/better/results.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
-#include "fit/quadrature/rule_choice.hpp"
+#include "fit/quadrature/fit_rules.hpp"
 #include "fit/rounding/round_family.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/support/decimal.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "fit/scalars/narrow_result.hpp"
 #include "fit/study_proof/family_subject.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "fit/least_squares/levenberg.hpp"
-#include "fit/quadrature/rule_choice.hpp"
+#include "fit/quadrature/fit_rules.hpp"
 #include "fit/scalars/likely_sizes.hpp"
 #include "fit/study/likely_starts.hpp"
 #include "fit/study/projection.hpp"

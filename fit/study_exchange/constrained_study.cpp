@@ -12,7 +12,7 @@
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/contacts.hpp"
 #include "fit/minimax/quadratic_programme.hpp"
-#include "fit/quadrature/rule_choice.hpp"
+#include "fit/quadrature/fit_rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "fit/quadrature/rule_choice.hpp"
+#include "fit/quadrature/fit_rules.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "approx/scalar.hpp"
-#include "fit/quadrature/rule_choice.hpp"
+#include "fit/quadrature/fit_rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/study_problem.hpp"

@@ -97,7 +97,7 @@ TEST(Rounding, BestOfAllHalvesByBruteForce) {
   EXPECT_EQ(rounded.best.max_error, best);
 }
 
-// Each parameter one step up or down is no better, and the ruler sees the step.
+// A parameter that is one step off gives no smaller error. At least two of the four steps give a larger one.
 TEST(Rounding, MutationsAreNoBetter) {
   for (const NumberFormat& format : {half_format, bfloat16}) {
     const RoundedStudy rounded = round_fit(fit_of("fresnel-quadratic"), format, {});

@@ -13,8 +13,8 @@
 namespace shadefit {
 namespace {
 
-// From starts drawn from a box around the family's own, four times as wide: all that converge have the
-// family's answer, which is none of the starts.
+// The starts are drawn from a box around the family's own, four times as wide. Every fit that converges has
+// the family's answer, and no start is that answer.
 TEST(FitsUnderStress, DoNotDependOnTheirStarts) {
   constexpr double same_answer = 1e-12;  // a hundred times the error of 14 digits
   Sequence sequence(1);
