@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "approx/records/record.hpp"
-#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
 
 /// Schlick's Fresnel term and its approximations by one exp2. c = cos of the angle between view (or light)
@@ -172,91 +170,8 @@ T one_term_sharpness(const T& offset) {
   return (integer<T>(5) + offset) / ln2<T>();
 }
 
-/// 6/ln 2: the one-term form at offset x = 1, the concentration of the literature on the sphere.
-template <class T>
-T one_term_sharpness_at_offset_one() {
-  return one_term_sharpness(integer<T>(1));
-}
-
 /// Relative errors of Fresnel forms are stated for this reflectance at normal incidence: 4 %, as for glass
 /// and most plastics (index of refraction 1.5).
 inline constexpr std::string_view reference_f0 = "0.04";
-
-inline constexpr Family fresnel_one_term_family{
-    .id = "fresnel-one-term",
-    .title = "Fresnel by one exp2",
-    .variables = "c = the cosine between view and half vector; A the sharpness in powers of two",
-    .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
-
-inline constexpr Family fresnel_quadratic_family{
-    .id = "fresnel-quadratic",
-    .title = "Fresnel by exp2 of a quadratic",
-    .variables = "c = the cosine between view and half vector; a, b the coefficients of the exponent",
-    .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
-
-inline constexpr Family fresnel_cubic_family{
-    .id = "fresnel-cubic",
-    .title = "Fresnel by exp2 of a cubic",
-    .variables = "c = the cosine between view and half vector; a, b, d the coefficients of the exponent",
-    .is_comparison = true};
-
-inline constexpr Family fresnel_quartic_family{
-    .id = "fresnel-quartic",
-    .title = "Fresnel by exp2 of a quartic",
-    .variables = "c = the cosine between view and half vector; a, b, d, g the coefficients of the exponent",
-    .is_comparison = true};
-
-inline constexpr Family fresnel_fourth_family{
-    .id = "fresnel-fourth",
-    .title = "Fresnel by a scaled fourth power",
-    .variables = "c = the cosine between view and half vector; s the scale",
-    .is_comparison = true};
-
-inline constexpr Family fresnel_square_family{
-    .id = "fresnel-square",
-    .title = "Fresnel by a square and a quadratic",
-    .variables = "c = the cosine between view and half vector; a, b the coefficients of the second factor",
-    .is_comparison = true};
-
-inline constexpr Family fresnel_rational_family{
-    .id = "fresnel-rational",
-    .title = "Fresnel by a fourth power over a line",
-    .variables = "c = the cosine between view and half vector; a > -1 the slope of the denominator",
-    .is_comparison = true};
-
-inline constexpr std::array fresnel_quadratic_a_variants{
-    Variant{"-5.55437", "mrdoob/three.js#7028, mended in #7625"}};
-inline constexpr std::array fresnel_quadratic_b_variants{
-    Variant{"-6.983146", "boksajak/brdf, brdf.h, and copies of it"}};
-
-inline constexpr std::array fresnel_published{
-    Published{.id = "fresnel-one-term",
-              .family = "fresnel-one-term",
-              .parameter = "A",
-              .printed = "8.35",
-              .statement = Statement::best_fit,
-              .source = sources::lagarde_2012},
-    Published{.id = "fresnel-offset-one",
-              .family = "fresnel-one-term",
-              .parameter = "A",
-              .printed = "8.656170",
-              .statement = Statement::best_fit,
-              .convention = {"offset x = 1", "6/ln 2", &one_term_sharpness_at_offset_one<double>},
-              .source = sources::lagarde_2011_adopting},
-    Published{.id = "fresnel-quadratic-a",
-              .family = "fresnel-quadratic",
-              .parameter = "a",
-              .printed = "-5.55473",
-              .statement = Statement::best_fit,
-              .source = sources::lagarde_2012,
-              .variants = fresnel_quadratic_a_variants},
-    Published{.id = "fresnel-quadratic-b",
-              .family = "fresnel-quadratic",
-              .parameter = "b",
-              .printed = "-6.98316",
-              .statement = Statement::best_fit,
-              .source = sources::lagarde_2012,
-              .variants = fresnel_quadratic_b_variants},
-};
 
 }  // namespace shadefit

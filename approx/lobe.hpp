@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "approx/records/record.hpp"
-#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
 
 /// The cosine lobe c^k and its spherical Gaussian. c = cos of the angle to the lobe's axis in [0, 1],
@@ -63,12 +61,6 @@ T lobe_error(const T& base, const T& change, const T& ratio_minus_one) {
   return base * (expm1(change) - ratio_minus_one);
 }
 
-/// form / target - 1 for the form and target of `lobe_error`: expm1(change - L).
-template <class T>
-T lobe_relative_error(const T& change, const T& log_ratio) {
-  return expm1(change - log_ratio);
-}
-
 /// A exp((k + x)(c - 1)): the spherical Gaussian with its peak at A.
 template <class T>
 T scaled_gaussian_lobe(const T& cos_theta, const T& exponent, const T& scale, const T& offset) {
@@ -80,12 +72,6 @@ T scaled_gaussian_lobe(const T& cos_theta, const T& exponent, const T& scale, co
 template <class T>
 T scaled_lobe_error(const T& base, const T& scale, const T& change, const T& ratio_minus_one) {
   return base * ((scale - integer<T>(1)) + scale * expm1(change) - ratio_minus_one);
-}
-
-/// form / target - 1 for that form: (scale - 1) + scale expm1(change - L).
-template <class T>
-T scaled_lobe_relative_error(const T& scale, const T& change, const T& log_ratio) {
-  return (scale - integer<T>(1)) + scale * lobe_relative_error(change, log_ratio);
 }
 
 /// The behaviour of a quantity for large k: x(k) = limit + slope / k + O(1/k^2).
@@ -114,43 +100,5 @@ ApproachLaw<T> offset_law(const T& p, const T& w) {
   const T x1 = x0 * x0 / two * a + b / integer<T>(3) - d / integer<T>(8) + (w - x0) * (b / two - x0 * a);
   return {x0, x1};
 }
-
-inline constexpr Family sg_offset{
-    .id = "sg-offset",
-    .title = "Spherical Gaussian offset",
-    .variables = "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; x the offset",
-    .sweep = "1:15:1,25,50,100,1000,10000,1000000",
-    .curve = {.trend = Trend::falls, .is_non_negative = true, .is_at_most_one = true}};
-
-inline constexpr Family sg_scaled{
-    .id = "sg-scaled",
-    .title = "Spherical Gaussian, scale and offset",
-    .variables =
-        "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; A the peak, x the offset",
-    .sweep = sg_offset.sweep,
-    .is_comparison = true};
-
-inline constexpr std::array sg_offset_published{
-    Published{.id = "sg-offset-mean",
-              .family = "sg-offset",
-              .parameter = "x",
-              .printed = "0.775",
-              .statement = Statement::mean_of_fits,
-              .exponents = "3:15:1",
-              .source = sources::lagarde_2012},
-    Published{.id = "sg-offset-limit",
-              .family = "sg-offset",
-              .parameter = "x",
-              .printed = "0.75",
-              .statement = Statement::limit_of_fits,
-              .source = sources::lagarde_2012},
-    Published{.id = "sg-offset-k5",
-              .family = "sg-offset",
-              .parameter = "x",
-              .printed = "0.788",
-              .statement = Statement::best_fit,
-              .exponents = "5",
-              .source = sources::lagarde_2012},
-};
 
 }  // namespace shadefit

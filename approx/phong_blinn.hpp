@@ -3,8 +3,6 @@
 #include <array>
 
 #include "approx/lobe.hpp"
-#include "approx/records/record.hpp"
-#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
 
 /// The Phong lobe cos^rho(theta), theta between reflected ray and view, by the Blinn lobe cos^(x
@@ -52,30 +50,6 @@ template <class T>
 ApproachLaw<T> factor_law(const T& p) {
   return {integer<T>(4), (p + integer<T>(2)) / integer<T>(2)};
 }
-
-inline constexpr Family phong_blinn{
-    .id = "phong-blinn",
-    .title = "Phong lobe by a Blinn lobe",
-    .variables =
-        "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x k the Blinn exponent, the power "
-        "of cos(theta/2)",
-    .sweep = "1,2,4,8,16,32,64,128,256,512,1024,2048",
-    .curve = {.trend = Trend::falls, .is_non_negative = true, .is_at_most_one = true}};
-
-inline constexpr std::array phong_blinn_published{
-    Published{.id = "phong-blinn-fisher-woo",
-              .family = "phong-blinn",
-              .parameter = "x",
-              .printed = "4",
-              .statement = Statement::limit_of_fits,
-              .source = sources::fisher_woo_1994},
-    Published{.id = "phong-blinn-gotanda",
-              .family = "phong-blinn",
-              .parameter = "x",
-              .printed = "4.2",
-              .statement = Statement::fit_somewhere,
-              .source = sources::gotanda_2010},
-};
 
 /// cos of the Phong angle, between the reflected light direction r = 2 (n.l) n - l and the view v:
 /// 2 (n.l)(n.v) - l.v.

@@ -3,7 +3,7 @@
 #   approx  shadefit::approx, formulas and records: headers that need the standard library alone
 #   fit     shadefit::fit, how constants are found: needs Eigen 3.4, the headers of Boost 1.74 and of Ceres 2.1
 #
-# Both have one include directory: #include "approx/fresnel.hpp", #include "fit/fit.hpp". Without COMPONENTS, approx is
+# Both have one include directory: #include "approx/fresnel.hpp", #include "fit/catalogue/family.hpp". Without COMPONENTS, approx is
 # available, and fit if it and all its dependencies are found; check shadefit_fit_FOUND or TARGET shadefit::fit.
 #
 # The targets set no flags of yours. Fits are the same to the last bit on every compiler only with -ffp-contract=off,

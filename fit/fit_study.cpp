@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fit/bounded_study.hpp"
-#include "fit/scalars/hinges.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/study_problem.hpp"
@@ -59,22 +58,6 @@ std::optional<StudyFit> exact_fit(const ReadStudy& study, const std::vector<Held
   if (zero_of_50_digits < fit.rms_error && fit.rms_error < seen_by_50_digits) return std::nullopt;
   fit.level = 0;
   return fit;
-}
-
-/// A zero of a denominator of the form inside the range of the only variable. The nodes of a fit do not reach
-/// its ends, and a pole between two of them has no width.
-std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>& parameters) {
-  if (study.rows || study.axes.size() > 1) return std::nullopt;
-  const StudyAxis& axis = study.axes.front();
-  for (const Hinge& hinge : hinges_of(study.form)) {
-    if (!hinge.is_pole || std::ranges::none_of(study.parameters, [&](const std::string& name) {
-          return free_variables(hinge.part).contains(name);
-        }))
-      continue;
-    for (const double place : zeros_of(at_parameters(study, hinge.part, parameters), axis))
-      if (axis.lower < place && place < axis.upper) return place;
-  }
-  return std::nullopt;
 }
 
 /// The minimax fit from the least squares of the first start.
@@ -136,11 +119,10 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
   };
   StudyFit fit = objective.study.cuts ? solve_read() : seen_fit(read, solve_read);
   fit.is_sampled = !read.rows && !is_enclosed(read);
-  if (const auto pole = fit.status == Status::converged ? pole_of(read, fit.parameters) : std::nullopt) {
-    fit.status = Status::at_border;
-    fit.why = "the way down leads to a pole of the form, at " + read.axes.front().variable + " = " +
-              decimal(*pole, 6);
-  }
+  if (const auto pole = fit.parameters.empty() ? std::nullopt : pole_of(read, fit.parameters))
+    fail(fit, Status::at_border,
+         "the way down leads to a pole of the form, at " + read.axes.front().variable + " = " +
+             decimal(*pole, 6));
   const auto is_finite = [](double parameter) { return std::isfinite(parameter); };
   if (fit.status == Status::converged && !std::ranges::all_of(fit.parameters, is_finite)) {
     fit.status = Status::not_finite;
@@ -153,7 +135,7 @@ StudyFit fit_from_starts(const StudyObjective& objective, const std::vector<std:
   try {
     StudyFit fit = objective.norm == Norm::minimax ? minimax_from(objective, starts.front())
                                                    : PreparedStudy(objective.study).fit_from(starts);
-    if (fit.status == Status::converged) return fit;
+    if (fit.status == Status::converged && !pole_of(read_study(objective.study), fit.parameters)) return fit;
   } catch (const Infeasible&) {
     throw;
   } catch (const UserError&) {

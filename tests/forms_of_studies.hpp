@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/studies/find_study.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study/study_file.hpp"
 #include "reports/code/shader_code.hpp"
 
 /// The forms of every study in studies/, as functions that `emit` writes.

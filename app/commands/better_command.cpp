@@ -34,11 +34,11 @@ std::vector<Setting> usual_surfaces() {
 /// The settings of the comparison: those of the options, else the usual surfaces, or the first and last
 /// exponent.
 std::vector<Setting> settings_to_compare(const NamedFit& named, const FitOptions& options) {
-  const FittableFamily& family = *named.family;
-  if (options.target && !family.is_fresnel())
-    throw UserError(fmt::format("--target does not apply: {} is not a Fresnel form", family.info.id));
+  const Family& family = *named.family;
+  if (options.target && !family.is_fresnel)
+    throw UserError(fmt::format("--target does not apply: {} is not a Fresnel form", family.id));
   const std::vector<Setting> all = settings_for(family, named.published, options);
-  if (family.is_fresnel() && !options.target && !options.ior) return usual_surfaces();
+  if (family.is_fresnel && !options.target && !options.ior) return usual_surfaces();
   if (!family.has_exponent() || options.exponents) return all;
   const auto [lowest, highest] = std::ranges::minmax_element(all);
   return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
@@ -73,7 +73,7 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
   if (options.plot && settings.size() > 1)
     throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: name one with {}",
                                 *options.plot, settings.size(),
-                                named.family->is_fresnel() ? "--target" : "--exponent"));
+                                named.family->is_fresnel ? "--target" : "--exponent"));
   const Metric metric = metric_for(options, *named.family, settings);
   std::vector<Comparison> comparisons;
   std::string err;

@@ -13,7 +13,7 @@
 #include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
-#include "approx/catalogue.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/support/user_error.hpp"
@@ -43,8 +43,7 @@ std::string failed_lines(const Results& results) {
   for (const Refit& refit : results.refits) err += not_converged_lines(refit);
   for (const FresnelLink& link : results.fresnel_chain) {
     if (link.status != Status::converged)
-      fail(fmt::format("{} on {}", link.family->info.id, link.surface->material),
-           std::string(name(link.status)));
+      fail(fmt::format("{} on {}", link.family->id, link.surface->material), std::string(name(link.status)));
   }
   for (const auto& check : results.normalisations) {
     if (check.verdict != Verdict::confirmed)
@@ -72,7 +71,7 @@ std::string failed_lines(const Results& results) {
 /// Whether a claim is about a family: about one of its published numbers, or by its name.
 bool is_on(std::string_view claim, std::string_view family) {
   return claim == family || claim.starts_with(std::string(family) + "-") ||
-         std::ranges::any_of(published_constants,
+         std::ranges::any_of(published_constants(),
                              [&](const Published& p) { return p.id == claim && p.family == family; });
 }
 
@@ -111,9 +110,8 @@ std::string claim_of(const std::string& id) {
 }
 
 /// What a family is, and every claim on it.
-Outcome explain_family(const FittableFamily& family, const ExplainOptions& options,
-                       const Checkpoint& checkpoint) {
-  const std::string id(family.info.id), form = to_text(family.form()), target = to_text(family.target());
+Outcome explain_family(const Family& family, const ExplainOptions& options, const Checkpoint& checkpoint) {
+  const std::string id(family.id), form = to_text(family.form), target = to_text(family.target);
   Fits fits;
   const auto claims =
       judge_claims([&](std::string_view claim) { return is_on(claim, id); }, fits, checkpoint);
@@ -121,13 +119,13 @@ Outcome explain_family(const FittableFamily& family, const ExplainOptions& optio
     return {0,
             json_text({{"schema", 1},
                        {"family", id},
-                       {"title", family.info.title},
+                       {"title", family.title},
                        {"form", form},
                        {"target", target},
                        {"claims", json_array(claims, explanation_json)}}),
             ""};
   std::string out = fmt::format("{}: {}\nForm: {}; {}\nTarget: {}\nNext: shadefit better {}\n", id,
-                                family.info.title, form, family.info.variables, target, id);
+                                family.title, form, family.variables, target, id);
   for (const JudgedClaim& judged : claims) out += "\n" + explanation(judged, options.terminal);
   return {0, out, ""};
 }
@@ -187,10 +185,9 @@ Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpo
     const auto folders = study_folders(options.studies);
     if (const auto study = find_study(options.id, folders))
       return explain_study_command(*study, options, checkpoint, progress);
-    if (const FittableFamily* family = find_family(claim))
-      return explain_family(*family, options, checkpoint);
+    if (const Family* family = find_family(claim)) return explain_family(*family, options, checkpoint);
     if (auto number = explain_number(options)) return *std::move(number);
-    for (const FittableFamily& family : fittable_families()) known.emplace_back(family.info.id);
+    for (const Family& family : families()) known.emplace_back(family.id);
     for (const auto& path : known_study_files(folders)) known.push_back(path.stem().string());
     require_known(claim, known, "claim, family or study");
   }

@@ -7,9 +7,9 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
-#include "approx/catalogue.hpp"
 #include "fit/better/better_study.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
@@ -80,8 +80,7 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
 }
 
 /// The form with its constants; the exponent is one of them if it was requested.
-ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options,
-                           const FamilySubject& subject) {
+ShaderFunction function_of(const Family& family, const EmitOptions& options, const FamilySubject& subject) {
   Constants constants = subject.parameters;
   std::vector<std::string> arguments{"c"};
   if (options.fit.exponents) {
@@ -89,7 +88,7 @@ ShaderFunction function_of(const FittableFamily& family, const EmitOptions& opti
   } else if (family.has_exponent()) {
     arguments.emplace_back("k");
   }
-  return {function_name(family.info.id, options), arguments, with_constants(family.form(), constants)};
+  return {function_name(family.id, options), arguments, with_constants(family.form, constants)};
 }
 
 /// "a = -5.5, b = -7"
@@ -105,9 +104,9 @@ std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const 
                       const std::optional<NumberFormat>& round) {
   if (chosen.from == "fitted") return "fitted: " + (round ? words_of_rounding(*round) : headline(metric));
   if (chosen.from == "given") return "given";
-  for (const Published& p : published_constants) {
+  for (const Published& p : published_constants()) {
     const bool is_it = named.published != nullptr ? &p == named.published
-                                                  : p.family == named.family->info.id &&
+                                                  : p.family == named.family->id &&
                                                         p.printed == chosen.subject.parameters.front().second;
     if (is_it) return fmt::format("published: {} {}, \"{}\"", p.source.author, p.source.year, p.source.title);
   }
@@ -132,8 +131,8 @@ std::string code_with(const std::vector<OthersText>& facts, const ShaderFunction
 
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const NamedFit named = find_fit(options.fit.id);
-  const FittableFamily& family = *named.family;
-  function_name(family.info.id, options);  // refuses a bad name before anything is computed
+  const Family& family = *named.family;
+  function_name(family.id, options);  // refuses a bad name before anything is computed
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   if (options.fit.exponents && settings.size() > 1)
     throw UserError(fmt::format(
@@ -143,7 +142,7 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   const FamilySubject& subject = proven.chosen.subject;
 
   const std::vector<OthersText> facts{
-      fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
+      fmt::format("{} for {}; {}", to_text(family.form), proven.target, family.variables),
       fmt::format("{} ({})", constants_text(subject.parameters),
                   origin_of(named, proven.chosen, metric, options.fit.round)),
       fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),

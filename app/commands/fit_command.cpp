@@ -25,9 +25,9 @@ namespace shadefit {
 namespace {
 
 std::string console_text(const Refit& refit, const Metric& metric, const Terminal& terminal) {
-  const Family& info = refit.family->info;
+  const Family& info = *refit.family;
   std::string text = fmt::format("{}: {} ~ {}, {}\n", info.id, target_of(refit.fits.front().fit),
-                                 to_text(refit.family->form()), headline(metric)) +
+                                 to_text(refit.family->form), headline(metric)) +
                      write_console(fits_overview(refit), Precision::report, terminal);
   for (const FitReport& report : refit.fits) text += alternation_text(report.fit);
   return text;
@@ -123,7 +123,7 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
                                 to_text(*options.evaluate)));
   if (options.plot) require_picture(*options.plot);
   const auto [family_found, published] = find_fit(options.id);
-  const FittableFamily& family = *family_found;
+  const Family& family = *family_found;
   if (published != nullptr && published->statement != Statement::best_fit)
     throw UserError(
         fmt::format("'{0}' is a mean or a limit of fits, no fit: see 'shadefit explain {0}'", published->id));

@@ -4,7 +4,7 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
-#include "approx/catalogue.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/input/bounded_file.hpp"
 #include "fit/proof/bound_width.hpp"
 #include "fit/study_proof/family_subject.hpp"
@@ -135,7 +135,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
         "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
   refuse_options_of_fits(options.fit.metric);
   const NamedFit named = find_fit(options.fit.id);
-  const FittableFamily& family = *named.family;
+  const Family& family = *named.family;
   const double width = options.width.value_or(usual_width);
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   const Metric metric = metric_for(options.fit, family, settings);
@@ -153,19 +153,19 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     const std::string at =
         setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : std::string();
     const auto& [certificate, is_reached] = proofs.back().certified;
-    if (!is_reached) err += not_reached_line(std::string(family.info.id) + at, certificate, width);
+    if (!is_reached) err += not_reached_line(std::string(family.id) + at, certificate, width);
   }
   Table table = study_proofs_table(proofs);
   table.columns.emplace_back("curve");
   nlohmann::ordered_json json = json_array(proofs, study_proof_json);
   for (std::size_t i = 0; i < proofs.size(); ++i) {
     table.rows[i].emplace_back(curve_text(curves[i]));
-    json[i]["constant"] = family.info.id;
+    json[i]["constant"] = family.id;
     for (const auto& [words, proof] : curves[i]) json[i]["curve"][words] = name(proof);
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   return proven_outcome(options, file, certificate_text(first), json,
-                        fmt::format("{}: {}\n", family.info.id, for_terminal(proof_headline(first))) +
+                        fmt::format("{}: {}\n", family.id, for_terminal(proof_headline(first))) +
                             write_console(table, Precision::full, options.fit.terminal),
                         err, checkpoint);
 }

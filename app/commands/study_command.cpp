@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
@@ -108,7 +109,7 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
   const Checkpoint next = stepping(checkpoint, progress, "fit", all.size());
   for (Study study : all) {
     next();
-    study.form = file.forms.front().formula;
+    take_form(study, file.forms.front());
     if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
     StudyObjective objective = objective_of(study, file.norm, file.constraints);
     objective.recompute = file.recompute;

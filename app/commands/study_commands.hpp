@@ -7,7 +7,7 @@
 #include "app/options/outcome.hpp"
 #include "app/output/progress.hpp"
 #include "fit/better/better_study.hpp"
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "reports/findings/baseline.hpp"
 #include "reports/studies/study_rows.hpp"
 

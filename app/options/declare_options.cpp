@@ -6,6 +6,7 @@
 
 #include "app/options/option_values.hpp"
 #include "approx/records/optical_constants.hpp"
+#include "fit/catalogue/study_parts.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 
 namespace shadefit {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "approx/catalogue.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/results.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/quadrature/fit_rules.hpp"
@@ -25,20 +25,15 @@
 namespace shadefit {
 namespace {
 
-const Published* find_published(const std::string& id) {
-  const auto found = std::ranges::find(published_constants, id, &Published::id);
-  return found == published_constants.end() ? nullptr : &*found;
-}
-
-std::vector<double> exponents_for(const FittableFamily& family, const Published* published,
+std::vector<double> exponents_for(const Family& family, const Published* published,
                                   const std::optional<std::vector<double>>& exponents) {
   if (!family.has_exponent()) {
     if (!exponents) return {};
     throw UserError(fmt::format("--exponent '{}' does not apply: {} has no exponent",
-                                fmt::join(*exponents, ","), family.info.id));
+                                fmt::join(*exponents, ","), family.id));
   }
   if (exponents) return *exponents;
-  return published != nullptr ? exponents_needed_by(*published, family.info) : parse_sweep(family.info.sweep);
+  return published != nullptr ? exponents_needed_by(*published, family) : parse_sweep(family.sweep);
 }
 
 /// Refuses a weight that is not finite or negative on the domain.
@@ -57,19 +52,19 @@ void check_weight(const std::string& text, const Domain& domain) {
 }
 
 /// Requires that each is a parameter of the family, given once, and that one parameter is left to fit.
-void check_held(const std::vector<Held>& held, const FittableFamily& family) {
+void check_held(const std::vector<Held>& held, const Family& family) {
   const auto text = [](const Held& h) { return h.parameter + "=" + to_text(h.value); };
   const auto& known = family.parameters;
   for (auto h = held.begin(); h != held.end(); ++h) {
     if (std::ranges::find(known, h->parameter) == known.end())
       throw UserError(fmt::format("--fix '{}': {} has no parameter '{}', it must be one of {}", text(*h),
-                                  family.info.id, h->parameter, fmt::join(known, ", ")));
+                                  family.id, h->parameter, fmt::join(known, ", ")));
     if (std::any_of(held.begin(), h, [&](const Held& other) { return other.parameter == h->parameter; }))
       throw UserError(fmt::format("--fix '{}' gives {} a second time", text(*h), h->parameter));
   }
   if (held.size() == known.size())
     throw UserError(fmt::format("--fix '{}' leaves nothing to fit: {} has no other parameter",
-                                text(held.back()), family.info.id));
+                                text(held.back()), family.id));
 }
 
 /// The first constraint that a least-squares fit does not support, as option and value.
@@ -82,9 +77,9 @@ std::optional<std::pair<const char*, std::string>> constraint_for_minimax(const 
 }
 
 /// The cosines that count at a setting; a relative error must be defined at some of them.
-Domain domain_that_counts(const FittableFamily& family, const Setting& setting, const Metric& metric) {
+Domain domain_that_counts(const Family& family, const Setting& setting, const Metric& metric) {
   if (metric.error == Error::absolute) return metric.domain;
-  if (family.is_fresnel() && setting.surface.f0 == 0.0 && metric.domain.upper == 1)
+  if (family.is_fresnel && setting.surface.f0 == 0.0 && metric.domain.upper == 1)
     throw UserError(
         "--error 'relative' divides by zero: with --f0 '0' the reflectance F is 0 at c = 1; end the domain "
         "below 1 or raise f0");
@@ -93,18 +88,17 @@ Domain domain_that_counts(const FittableFamily& family, const Setting& setting, 
     throw UserError(fmt::format(
         "--error 'relative' has no meaning for {} at exponent {} on {}: its target is below 1/255, or that "
         "is below any double",
-        family.info.id, setting.exponent, to_text(metric.domain)));
+        family.id, setting.exponent, to_text(metric.domain)));
   return *domain;
 }
 
 /// The published number for a parameter of a fit: from the requested record, else the first number that is a
 /// best fit in that setting.
-const Published* published_for(const FittableFamily& family, std::string_view parameter,
-                               const Setting& setting, const Published* asked) {
+const Published* published_for(const Family& family, std::string_view parameter, const Setting& setting,
+                               const Published* asked) {
   if (asked != nullptr && asked->parameter == parameter) return asked;
-  for (const Published& p : published_constants) {
-    if (p.family != family.info.id || p.parameter != parameter || p.statement != Statement::best_fit)
-      continue;
+  for (const Published& p : published_constants()) {
+    if (p.family != family.id || p.parameter != parameter || p.statement != Statement::best_fit) continue;
     if (!family.has_exponent() || exponents_of(p) == std::vector{setting.exponent}) return &p;
   }
   return nullptr;
@@ -118,13 +112,13 @@ void refuse_minimax_constraints(const Constraints& constraints) {
                                 found->first, found->second));
 }
 
-Surface surface_for(const FittableFamily& family, const FitOptions& options) {
+Surface surface_for(const Family& family, const FitOptions& options) {
   const bool is_exact = options.target == Surface::Formula::exact;
   const auto refuse = [](const char* option, const std::string& value, const std::string& reason) {
     throw UserError(fmt::format("{} '{}' does not apply: {}", option, value, reason));
   };
-  if (!family.is_fresnel()) {
-    const std::string reason = fmt::format("{} is not a Fresnel form", family.info.id);
+  if (!family.is_fresnel) {
+    const std::string reason = fmt::format("{} is not a Fresnel form", family.id);
     if (is_exact) refuse("--target", "exact", reason);
     if (options.ior) refuse("--ior", to_text(*options.ior), reason);
     if (options.extinction) refuse("--extinction", to_text(*options.extinction), reason);
@@ -152,7 +146,7 @@ Surface surface_for(const FittableFamily& family, const FitOptions& options) {
   return surface;
 }
 
-std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
+std::vector<Setting> settings_for(const Family& family, const Published* published,
                                   const FitOptions& options) {
   const Surface surface = surface_for(family, options);
   const auto exponents = exponents_for(family, published, options.exponents);
@@ -160,8 +154,7 @@ std::vector<Setting> settings_for(const FittableFamily& family, const Published*
   return {exponents.begin(), exponents.end()};
 }
 
-Metric metric_for(const FitOptions& options, const FittableFamily& family,
-                  std::span<const Setting> settings) {
+Metric metric_for(const FitOptions& options, const Family& family, std::span<const Setting> settings) {
   Metric metric = options.metric;
   auto& places = metric.constraints.exact_at;
   std::ranges::sort(places);
@@ -229,12 +222,12 @@ std::string words_of_rounding(const NumberFormat& format) {
 ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
                                const Setting& setting, const Metric& metric, const FitOptions& options,
                                const Checkpoint& checkpoint) {
-  const FittableFamily& family = *named.family;
+  const Family& family = *named.family;
   const bool has_weight = options.present.contains("--weight");  // no proof of a family has one
   const std::string asks_for_fit = has_weight ? "--weight" : option_of_fits(options.present);
   if (parameters && !asks_for_fit.empty())
     throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
-  FamilySubject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
+  FamilySubject subject{std::string(family.id), {}, setting, metric.error, metric.domain};
   if (parameters) {
     const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
     subject.parameters = in_order(*parameters, known);
@@ -247,7 +240,7 @@ ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, cons
   if (subject.parameters.size() == family.parameters.size()) return {subject, "published"};
   const Fit fit = family.fit(setting, metric);
   if (fit.status != Status::converged) {
-    throw UserError(fmt::format("{}{}: its fit did not converge{}: give --parameters", family.info.id,
+    throw UserError(fmt::format("{}{}: its fit did not converge{}: give --parameters", family.id,
                                 family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : "",
                                 fit.why.empty() ? "" : fmt::format(" ({})", fit.why)));
   }

@@ -8,7 +8,7 @@
 
 #include "app/options/options.hpp"
 #include "approx/records/record.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/study_proof/family_subject.hpp"
 #include "fit/support/checkpoint.hpp"
 
@@ -18,7 +18,7 @@ namespace shadefit {
 
 /// A family, and the published constant whose id was given, or null.
 struct NamedFit {
-  const FittableFamily* family;
+  const Family* family;
   const Published* published;
 };
 
@@ -29,16 +29,16 @@ void refuse_minimax_constraints(const Constraints& constraints);
 NamedFit find_fit(const std::string& id);
 
 /// The surface that a Fresnel form is fitted to. Refuses options that it would otherwise ignore.
-Surface surface_for(const FittableFamily& family, const FitOptions& options);
+Surface surface_for(const Family& family, const FitOptions& options);
 
 /// The settings: one for each exponent, or one for the surface.
-std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
+std::vector<Setting> settings_for(const Family& family, const Published* published,
                                   const FitOptions& options);
 
 /// The metric of the options, for fits of the family at these settings. Refuses a weight that is invalid on
 /// the domain, constraints that contradict each other or leave nothing to fit, and a relative error where the
 /// target is zero.
-Metric metric_for(const FitOptions& options, const FittableFamily& family, std::span<const Setting> settings);
+Metric metric_for(const FitOptions& options, const Family& family, std::span<const Setting> settings);
 
 /// The metric as text: "cosine measure, least squares".
 std::string headline(const Metric& metric);

@@ -8,7 +8,7 @@
 
 #include "app/options/outcome.hpp"
 #include "app/options/study_options.hpp"
-#include "fit/families/surface.hpp"
+#include "fit/catalogue/surface.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/verdicts/verdict.hpp"

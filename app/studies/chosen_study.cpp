@@ -151,7 +151,7 @@ void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
   const StudyForm& form = file.forms.front();
   try {
     Study study = combinations(file.study, file.given).front();
-    study.form = form.formula;
+    take_form(study, form);
     require_bounds(options.study, read_formulas(study).parameters);
   } catch (const StudyFault& fault) {
     if (options.id.empty() || options.present.contains(fault.part.option)) throw;

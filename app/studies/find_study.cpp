@@ -1,5 +1,7 @@
 #include "app/studies/find_study.hpp"
 
+#include "fit/catalogue/read_study_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,8 +41,9 @@ void require_formulas(const StudyFile& file, const fs::path& path) {
     Study study = combinations(file.study, file.given).front();
     for (const StudyForm& form : file.forms) {
       id = form.id;
-      study.form = form.formula;
+      take_form(study, form);
       const ReadStudy read = read_formulas(study);
+      if (read.residual) require_residual(read);
       parameters.insert(read.parameters.begin(), read.parameters.end());
       for (const PublishedSet& set : file.published) {
         if (set.form != form.id) continue;
@@ -146,7 +149,7 @@ void take_rows(StudyFile& file, const std::string& text, const std::string& tabl
 }
 
 StudyFile load_study(const fs::path& path) {
-  StudyFile file = read_study_file(read_bounded(path, most_study_bytes), path.string());
+  StudyFile file = read_study_file(read_bounded(path, most_study_bytes), printable(path.string()));
   if (!file.table.empty()) {
     const fs::path table = table_of(path, file);
     take_rows(file, read_bounded(table, most_row_bytes), table.string(), "value");

@@ -9,9 +9,6 @@ inline constexpr Source johnson_christy_1972{
     "Johnson, Christy", 1972, "Optical Constants of the Noble Metals", "Physical Review B 6, pp. 4370-4379",
     "https://doi.org/10.1103/PhysRevB.6.4370"};
 
-inline constexpr Source fisher_woo_1994{"Fisher, Woo", 1994, "R.E versus N.H Specular Highlights",
-                                        "Graphics Gems IV, Academic Press, pp. 388-400"};
-
 inline constexpr Source rakic_1995{
     "Rakic", 1995,
     "Algorithm for the determination of intrinsic optical constants of metal films: application to aluminum",
@@ -20,11 +17,6 @@ inline constexpr Source rakic_1995{
 inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics",
                                        "7th edition, Cambridge University Press",
                                        "https://doi.org/10.1017/CBO9781139644181"};
-
-inline constexpr Source gotanda_2010{
-    "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",
-    "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production",
-    "http://renderwonk.com/publications/s2010-shading-course/gotanda/course_note_practical_implementation_at_triace.pdf"};
 
 inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
                                               "seblagarde.wordpress.com/2011/08/17/hello-world"};

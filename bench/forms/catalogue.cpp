@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bench/forms/pair_for_exp2.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/verdicts/refit.hpp"
 
@@ -23,9 +23,9 @@ NamedNumber computed_number(std::string_view name, double value) {
 }
 
 /// The published constants of a family, each set of numbers once.
-std::vector<Constants> published_of(const FittableFamily& family) {
+std::vector<Constants> published_of(const Family& family) {
   std::vector<Constants> all;
-  for (const Published* number : numbers_of(family.info)) {
+  for (const Published* number : numbers_of(family)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
     Constants found{.id = "published-" + std::string(number->id), .numbers = {}};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, Metric>> objectives() {
 /// The published constants of a family and the best ones. A fit without an answer is left out, for example if
 /// the minimax relative error of a lobe's form is not attained.
 std::vector<Constants> constants_of(std::string_view id) {
-  const FittableFamily& family = *find_family(id);
+  const Family& family = *find_family(id);
   std::vector<Constants> all = published_of(family);
   for (const auto& [objective, metric] : objectives()) {
     const Fit fit = family.fit(Setting(fixed_exponent), metric);
@@ -125,9 +125,10 @@ void append_gloss(Catalogue& all) {
   const auto with_offset = [](const char* name, std::string_view x) -> Constants {
     return {name, {printed_number("m", "1.528766"), printed_number("x", x)}};
   };
-  append<GlossGaussian>(all, {with_offset("plain", "0"),
-                              with_offset("published-sg-offset-mean", sg_offset_published[0].printed),
-                              with_offset("published-sg-offset-limit", sg_offset_published[1].printed)});
+  append<GlossGaussian>(
+      all, {with_offset("plain", "0"),
+            with_offset("published-sg-offset-mean", find_published("sg-offset-mean")->printed),
+            with_offset("published-sg-offset-limit", find_published("sg-offset-limit")->printed)});
 }
 
 void append_schlick(Catalogue& all) {

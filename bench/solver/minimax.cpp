@@ -3,14 +3,14 @@
 #include <string>
 
 #include "bench/solver/benchmarks.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 
 namespace shadefit::bench {
 namespace {
 
 /// The pair by its largest error, from nothing: a start by Ceres, the exchange, the polish.
 void register_pair(Error error) {
-  const FittableFamily& pair = *find_family("fresnel-quadratic");
+  const Family& pair = *find_family("fresnel-quadratic");
   const Metric metric{.norm = Norm::minimax, .error = error};
   const auto name = "minimax/fresnel-quadratic/" + std::string(shadefit::name(error));
   benchmark::RegisterBenchmark(name.c_str(), [&pair, metric](benchmark::State& state) {

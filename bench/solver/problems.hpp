@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/least_squares/digits.hpp"
 #include "fit/support/sweep.hpp"
 
@@ -16,7 +16,7 @@
 namespace shadefit::bench {
 
 struct Problem {
-  const FittableFamily* family;
+  const Family* family;
   Setting setting;
   Metric metric;
 
@@ -27,7 +27,7 @@ struct Problem {
 /// exponent.
 inline std::vector<Problem> problems(std::string_view id, std::span<const Measure> measures,
                                      std::string_view sweep = {}) {
-  const FittableFamily& family = *find_family(id);
+  const Family& family = *find_family(id);
   std::vector<Problem> result;
   for (const Measure measure : measures) {
     const Metric metric{.measure = measure};
@@ -35,7 +35,7 @@ inline std::vector<Problem> problems(std::string_view id, std::span<const Measur
       result.push_back({&family, {}, metric});
       continue;
     }
-    for (const double exponent : parse_sweep(sweep.empty() ? family.info.sweep : sweep))
+    for (const double exponent : parse_sweep(sweep.empty() ? family.sweep : sweep))
       result.push_back({&family, exponent, metric});
   }
   return result;

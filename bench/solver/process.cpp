@@ -15,6 +15,7 @@
 
 #include "approx/fresnel.hpp"
 #include "bench/solver/benchmarks.hpp"
+#include "fit/catalogue/published.hpp"
 #include "reports/io/scratch_directory.hpp"
 
 namespace shadefit::bench {
@@ -83,7 +84,8 @@ void measure_start(benchmark::State& state) {
 void write_sources(const std::filesystem::path& folder) {
   constexpr int folders = 100, files_in_each = 100;
   constexpr std::size_t bytes = 15'000;
-  const std::string a(fresnel_published[2].printed), b(fresnel_published[3].printed);
+  const std::string a(find_published("fresnel-quadratic-a")->printed),
+      b(find_published("fresnel-quadratic-b")->printed);
   std::minstd_rand numbers(1);
   for (int i = 0; i < folders * files_in_each; ++i) {
     const std::filesystem::path inner = folder / std::to_string(i / files_in_each);

@@ -11,7 +11,7 @@ namespace {
 
 StudySubject published_pair() {
   FamilySubject pair{.family = "fresnel-quadratic", .parameters = {}};
-  for (const Published& published : fresnel_published) {
+  for (const Published& published : published_constants()) {
     if (published.family == pair.family) pair.parameters.emplace_back(published.parameter, published.printed);
   }
   return in_words(pair);

@@ -19,7 +19,7 @@ double exponent(long i, long count) {
 /// Every `stride`-th exponent from `first` on: so that each thread has small and large ones, whose costs
 /// differ.
 Tally fit_share(long first, long stride, long count) {
-  const FittableFamily& family = *find_family("sg-offset");
+  const Family& family = *find_family("sg-offset");
   Tally tally;
   for (long i = first; i < count; i += stride) tally.add(family.fit(exponent(i, count), {}));
   return tally;

@@ -15,14 +15,14 @@ namespace {
 
 /// The operations of a form with constants in a shader, as `shadefit emit` writes it at one exponent.
 /// Expressions of constants alone are precomputed.
-Operations executed(const FittableFamily& family, const Setting& setting, const std::vector<double>& values) {
+Operations executed(const Family& family, const Setting& setting, const std::vector<double>& values) {
   const auto value_of = [&](const std::string& variable) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (family.parameters[i] == variable) return Symbolic::number(to_text(values[i]));
     }
     return variable == "k" ? Symbolic::number(to_text(setting.exponent)) : Symbolic::variable(variable);
   };
-  return count_operations(evaluate<Symbolic>(family.form(), value_of));
+  return count_operations(evaluate<Symbolic>(family.form, value_of));
 }
 
 ErrorBounds proven_bounds(const StudySubject& subject, double width, const Checkpoint& checkpoint) {
@@ -31,12 +31,12 @@ ErrorBounds proven_bounds(const StudySubject& subject, double width, const Check
 }
 
 /// A form with constants, for the family and setting of the subject.
-Contender contender(Contender::Kind kind, const FittableFamily& family, const FamilySubject& subject,
+Contender contender(Contender::Kind kind, const Family& family, const FamilySubject& subject,
                     const std::vector<double>& values, double width, const Checkpoint& checkpoint) {
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
   return {.kind = kind,
-          .family = family.info.id,
-          .form = to_text(family.form()),
+          .family = family.id,
+          .form = to_text(family.form),
           .parameters = subject.parameters,
           .values = values,
           .operations = executed(family, subject.setting, values),
@@ -47,17 +47,17 @@ Contender contender(Contender::Kind kind, const FittableFamily& family, const Fa
 }
 
 /// Appends the printed constants of a family, each set once.
-void append_published(Comparison& comparison, const FittableFamily& family, const ComparisonOptions& options,
+void append_published(Comparison& comparison, const Family& family, const ComparisonOptions& options,
                       const Checkpoint& checkpoint) {
   auto& contenders = comparison.contenders;
-  for (const Published* number : numbers_of(family.info)) {
+  for (const Published* number : numbers_of(family)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first number
     FamilySubject subject{
-        .family = std::string(family.info.id), .setting = comparison.setting, .domain = options.domain};
+        .family = std::string(family.id), .setting = comparison.setting, .domain = options.domain};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       subject.parameters.emplace_back(parameter, printed);
     const bool is_known = std::ranges::any_of(contenders, [&](const Contender& other) {
-      return other.family == family.info.id && other.parameters == subject.parameters;
+      return other.family == family.id && other.parameters == subject.parameters;
     });
     if (is_known) continue;
     Contender found = contender(Contender::Kind::published, family, subject,
@@ -68,7 +68,7 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
   }
 }
 
-void append_fit(Comparison& comparison, const FittableFamily& family, Metric metric, double width,
+void append_fit(Comparison& comparison, const Family& family, Metric metric, double width,
                 const Checkpoint& checkpoint) {
   metric.domain = comparison.domain;
   Metric everywhere = metric;
@@ -77,7 +77,7 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
       (metric.norm == Norm::minimax ? "" : "least squares, ") + describe(everywhere);
   const Fit fit = family.fit(comparison.setting, metric);
   if (fit.status != Status::converged) {
-    comparison.left_out.push_back(to_text(family.form()) + " under " + objective + ": " +
+    comparison.left_out.push_back(to_text(family.form) + " under " + objective + ": " +
                                   std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
     return;
   }
@@ -87,7 +87,7 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
   comparison.contenders.push_back(std::move(found));
 }
 
-void append_fits(Comparison& comparison, const FittableFamily& family, const ComparisonOptions& options,
+void append_fits(Comparison& comparison, const Family& family, const ComparisonOptions& options,
                  const Checkpoint& checkpoint) {
   const auto append = [&](const Metric& metric) {
     append_fit(comparison, family, metric, options.width, checkpoint);
@@ -95,7 +95,7 @@ void append_fits(Comparison& comparison, const FittableFamily& family, const Com
   append({.norm = Norm::minimax});
   if (options.only_minimax) return;
   append({.norm = Norm::minimax, .error = Error::relative});
-  if (family.info.id != comparison.family->info.id) return;
+  if (family.id != comparison.family->id) return;
   for (const Measure measure : measures) append({.measure = measure});
 }
 
@@ -103,13 +103,13 @@ void append_fits(Comparison& comparison, const FittableFamily& family, const Com
 void append_schlick(Comparison& comparison, const ComparisonOptions& options, const Checkpoint& checkpoint) {
   const auto study_of = [&](Error error) {
     Study study = plain_study_of(*comparison.family, comparison.setting, error, options.domain);
-    study.form = to_text(comparison.family->target());
+    study.form = to_text(comparison.family->target);
     return study;
   };
   const Study study = study_of(Error::absolute);
   const ReadStudy absolute = read_formulas(study), relative = read_formulas(study_of(Error::relative));
   const double at = largest_weighted_error(absolute, {}).at.front();
-  const Symbolic form = comparison.family->target();
+  const Symbolic form = comparison.family->target;
   comparison.contenders.push_back({.kind = Contender::Kind::published,
                                    .published = "schlick",
                                    .form = to_text(form),
@@ -122,8 +122,8 @@ void append_schlick(Comparison& comparison, const ComparisonOptions& options, co
 }
 
 /// The target as a formula for a shader, with precomputed constants; for an exact surface, the reflectance F.
-Symbolic runnable_target(const FittableFamily& family, const Surface& surface) {
-  if (!surface.is_exact()) return family.target();
+Symbolic runnable_target(const Family& family, const Surface& surface) {
+  if (!surface.is_exact()) return family.target;
   const Symbolic c = Symbolic::variable("c"), n = Symbolic::number(to_text(surface.ior));
   if (surface.extinction == 0) return dielectric_reflectance(c, n);
   return conductor_reflectance(c, n, Symbolic::number(to_text(surface.extinction)));
@@ -131,7 +131,7 @@ Symbolic runnable_target(const FittableFamily& family, const Surface& surface) {
 
 void append_target(Comparison& comparison) {
   const Surface& surface = comparison.setting.surface;
-  const std::string text = !surface.is_exact()       ? to_text(comparison.family->target())
+  const std::string text = !surface.is_exact()       ? to_text(comparison.family->target)
                            : surface.extinction == 0 ? "Fresnel's equations of a dielectric"
                                                      : "Fresnel's equations of a conductor";
   comparison.contenders.push_back(
@@ -150,17 +150,17 @@ bool is_better(const Contender& contender, const Contender& published) {
 
 }  // namespace
 
-bool have_same_target(const FittableFamily& a, const FittableFamily& b) {
-  return to_text(a.target()) == to_text(b.target());
+bool have_same_target(const Family& a, const Family& b) {
+  return to_text(a.target) == to_text(b.target);
 }
 
-Comparison compare_forms(const FittableFamily& family, const Setting& setting,
-                         const ComparisonOptions& options, const Checkpoint& checkpoint) {
+Comparison compare_forms(const Family& family, const Setting& setting, const ComparisonOptions& options,
+                         const Checkpoint& checkpoint) {
   Comparison comparison{.family = &family, .setting = setting, .domain = options.domain};
   auto& contenders = comparison.contenders;
-  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, options, checkpoint);
+  if (family.is_fresnel && setting.surface.is_exact()) append_schlick(comparison, options, checkpoint);
   append_target(comparison);
-  for (const FittableFamily& other : fittable_families()) {
+  for (const Family& other : families()) {
     if (!have_same_target(family, other)) continue;
     checkpoint();
     append_published(comparison, other, options, checkpoint);

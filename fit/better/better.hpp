@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "approx/cosine.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Alternatives to a published constant: the same form under other objectives, and other forms of the same
@@ -45,8 +45,8 @@ struct Contender {
 
 /// All contenders for one target: first the published ones, then the others, both by rising error.
 struct Comparison {
-  const FittableFamily* family;  ///< whose target it is
-  Setting setting;               ///< exponent or surface
+  const Family* family;  ///< whose target it is
+  Setting setting;       ///< exponent or surface
   Domain domain;
   std::vector<Contender> contenders = {};
   std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason
@@ -60,7 +60,7 @@ struct ComparisonOptions {
 };
 
 /// Whether two families approximate the same function.
-bool have_same_target(const FittableFamily& a, const FittableFamily& b);
+bool have_same_target(const Family& a, const Family& b);
 
 /// Compares the published constants for the target of a family, the fits of every form of that target, and
 /// the target by its own operations. The family's own form is fitted by least squares in each measure; all
@@ -70,7 +70,7 @@ bool have_same_target(const FittableFamily& a, const FittableFamily& b);
 ///
 /// At an exponent, all published numbers of a lobe are compared, even those printed for other exponents,
 /// because that is how they are used.
-Comparison compare_forms(const FittableFamily& family, const Setting& setting,
-                         const ComparisonOptions& options, const Checkpoint& checkpoint = keep_going);
+Comparison compare_forms(const Family& family, const Setting& setting, const ComparisonOptions& options,
+                         const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

@@ -16,7 +16,7 @@ namespace {
 
 Study with_form(const Study& study, const StudyForm& form) {
   Study result = study;
-  result.form = form.formula;
+  take_form(result, form);
   return result;
 }
 

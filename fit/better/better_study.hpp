@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "fit/better/study_properties.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/proof/constants.hpp"
-#include "fit/study/study_file.hpp"
 #include "fit/study/study_fit.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/study_claims.hpp"

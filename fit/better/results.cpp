@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
-#include "approx/catalogue.hpp"
 #include "approx/records/optical_constants.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/input/parallel.hpp"
 #include "fit/support/sweep.hpp"
@@ -50,11 +51,11 @@ bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
 /// The comparisons of the report: Schlick's weight, the exact reflectance of glass, and the lobe of exponent
 /// 5, which mirrors Schlick's weight and for which an offset was published.
 std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
-  const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
-  const FittableFamily& lobe = *find_family(sg_offset.id);
-  const auto is_compared = [&](const FittableFamily& family) {
+  const Family& fresnel = *find_family("fresnel-quadratic");
+  const Family& lobe = *find_family("sg-offset");
+  const auto is_compared = [&](const Family& family) {
     return ids.empty() || std::ranges::any_of(ids, [&](const std::string& id) {
-             const FittableFamily* named = find_family(id);
+             const Family* named = find_family(id);
              return named != nullptr && have_same_target(*named, family);
            });
   };
@@ -76,10 +77,10 @@ bool has_id(const auto& records, std::string_view id) {
 
 std::vector<std::string> fitted_ids() {
   std::vector<std::string> ids;
-  for (const auto& family : fittable_families()) {
-    ids.emplace_back(family.info.id);
-    for (const Published& published : published_constants) {
-      if (published.family == family.info.id) ids.emplace_back(published.id);
+  for (const auto& family : families()) {
+    ids.emplace_back(family.id);
+    for (const Published& published : published_constants()) {
+      if (published.family == family.id) ids.emplace_back(published.id);
     }
   }
   return ids;
@@ -96,7 +97,7 @@ std::vector<std::string> known_ids() {
 }
 
 bool is_known_id(std::string_view id) {
-  return find_family(id) != nullptr || has_claim(id) || has_id(published_constants, id) ||
+  return find_family(id) != nullptr || has_claim(id) || has_id(published_constants(), id) ||
          has_id(normalisations, id);
 }
 
@@ -110,30 +111,35 @@ std::vector<std::string> claim_ids() {
 
 namespace {
 
-/// All but the comparisons: they share the fits.
-void compute_fits_and_claims(Results& results, const std::vector<std::string>& ids,
-                             const Checkpoint& checkpoint) {
+/// The refits and the claims: they share the fits.
+void add_refits_and_claims(Results& results, const std::vector<std::string>& ids,
+                           const Checkpoint& checkpoint) {
   Fits fits;
-  std::vector<const FittableFamily*> fresnel_families;
-  for (const FittableFamily& family : fittable_families()) {
-    const auto wanted = wanted_fits(ids, family.info);
-    if (!wanted) continue;
-    results.refits.push_back(
-        refit(fits.of(family), wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
-    // The chain has published curves only.
-    if (family.is_fresnel() && !family.info.is_comparison) fresnel_families.push_back(&family);
+  for (const Family& family : families()) {
+    if (const auto wanted = wanted_fits(ids, family))
+      results.refits.push_back(
+          refit(fits.of(family), wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
   }
+  results.claims =
+      judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, fits, checkpoint);
+}
+
+/// The chain has published curves only.
+void add_fresnel_chain(Results& results, const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  std::vector<const Family*> chained;
+  for (const Family& family : families())
+    if (family.is_fresnel && !family.is_comparison && wanted_fits(ids, family)) chained.push_back(&family);
   checkpoint();
-  results.fresnel_chain = fresnel_chain(fresnel_families);
+  results.fresnel_chain = fresnel_chain(chained);
+}
+
+void add_normalisations(Results& results, const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
   for (const Normalisation& record : normalisations) {
     if (!is_wanted(ids, record.id)) continue;
     checkpoint();
     for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
   }
-  const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
-  results.reflectances = reflectance_curves(wanted);
-  results.claims =
-      judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, fits, checkpoint);
+  results.reflectances = reflectance_curves([&](std::string_view id) { return is_wanted(ids, id); });
 }
 
 }  // namespace
@@ -141,15 +147,14 @@ void compute_fits_and_claims(Results& results, const std::vector<std::string>& i
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
   for (const std::string& id : ids) require_known(id, known_ids(), "constant");
   Results results;
-  // The proofs of the comparisons take nearly as long as all else.
-  const auto compute = [&](std::size_t part, const Checkpoint& next) {
-    if (part == 0) {
-      results.comparisons = comparisons(ids, next);
-    } else {
-      compute_fits_and_claims(results, ids, next);
-    }
-  };
-  for_each_in_parallel(2, compute, {.checkpoint = checkpoint});
+  // The longest first, so that two cores end together.
+  constexpr std::array parts{&add_refits_and_claims,
+                             +[](Results& all, const std::vector<std::string>& wanted,
+                                 const Checkpoint& next) { all.comparisons = comparisons(wanted, next); },
+                             &add_fresnel_chain, &add_normalisations};
+  for_each_in_parallel(parts.size(),
+                       [&](std::size_t part, const Checkpoint& next) { parts.at(part)(results, ids, next); },
+                       {.checkpoint = checkpoint});
   return results;
 }
 

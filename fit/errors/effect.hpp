@@ -70,54 +70,30 @@ inline Coordinates at_cosine(const Cosine<double>& c) {
   return is_near ? Coordinates{{"c = 1 - ", c.one_minus_cos}} : Coordinates{{"c = ", c.cos_theta}};
 }
 
-/// The effect of a change over the domain of the substitution. Absolute: a refined extremum; the others: the
-/// largest over the `search_points` and both ends. `values` maps a Cosine<T> to the value before and the
-/// value after, an std::array<T, 2>, for double and ceres::Jet<double, 1>.
-template <class Values>
-Effect effect_over(const Values& values, const Substitution& substitution) {
+/// The effect of replacing one function of the cosine by another, the largest of each kind over the
+/// `search_points` of the substitution and both ends. Both map a Cosine<double> to a value.
+template <class Before, class After>
+Effect sampled_effect(const Before& before, const After& after, const Substitution& substitution) {
   Effect effect;
   std::vector<double> points{0, 1};  // first: of equal changes an end is the plainer place
   const std::vector<double> inside = search_points();
   points.insert(points.end(), inside.begin(), inside.end());
   for (const double s : points) {
     const Cosine<double> c = substitution.at(s).cosine;
-    const auto [before, after] = values(c);
-    effect.show(before, after, at_cosine(c));
+    effect.show(before(c), after(c), at_cosine(c));
   }
-  const Extremum largest = largest_magnitude(
-      [&]<class T>(const Cosine<T>& c) {
-        const std::array<T, 2> value = values(c);
-        return T(value[1] - value[0]);
-      },
-      substitution);
-  effect.absolute = {largest.magnitude, at_cosine(largest.at)};
   return effect;
 }
 
-/// The effect of replacing one function of the cosine by another; both map a Cosine<T> to a T.
+/// The same with a refined extremum of the absolute change. Both map a Cosine<T> to a T, for double and
+/// ceres::Jet<double, 1>.
 template <class Before, class After>
 Effect effect_between(const Before& before, const After& after, const Substitution& substitution) {
-  return effect_over(
-      [&]<class T>(const Cosine<T>& c) {
-        return std::array<T, 2>{before(c), after(c)};
-      },
-      substitution);
-}
-
-/// The effect of replacing parameters `from` by `to`. Each place is sampled once for both.
-template <class F, std::size_t N>
-Effect effect_of_change(const F& family, const Domain& domain, const std::array<double, N>& from,
-                        const std::array<double, N>& to) {
-  const auto values = [&]<class T>(const Cosine<T>& c) {
-    std::array<T, N> p, q;
-    for (std::size_t i = 0; i < N; ++i) {
-      p[i] = lift<T>(from[i]);
-      q[i] = lift<T>(to[i]);
-    }
-    const auto sample = family.sample(c);
-    return std::array<T, 2>{family.form(sample, p), family.form(sample, q)};
-  };
-  return effect_over(values, Substitution({.measure = Measure::cosine, .domain = domain}, family.shape()));
+  Effect effect = sampled_effect(before, after, substitution);
+  const Extremum largest =
+      largest_magnitude([&]<class T>(const Cosine<T>& c) { return T(after(c) - before(c)); }, substitution);
+  effect.absolute = {largest.magnitude, at_cosine(largest.at)};
+  return effect;
 }
 
 /// "c = 0.735, k = 3": whole numbers in full, others to three digits.

@@ -13,7 +13,7 @@ enum class Status {
   degenerate,     ///< of minimax: fewer alternation points than parameters + 1 hold the optimum
   infeasible,     ///< of minimax: no parameters satisfy the constraints
   unresolved,     ///< more happens somewhere than samples explain
-  at_border,  ///< the descent ends at the border of the admissible parameters (fit/families/admissible.hpp)
+  at_border,      ///< the descent ends where the form has a pole
 };
 
 constexpr std::string_view name(Status status) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "approx/records/record.hpp"
+#include "fit/catalogue/published.hpp"
 
 /// The ledger: one record for every statement of the source documents that contains or implies a number. The
 /// records are in studies/claims, a file for each topic.

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "fit/catalogue/family.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/fit.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
@@ -54,7 +54,7 @@ std::string what_is_computed(const Published& published) {
 std::string effect_elsewhere(FitCache& fits, const Published& published, const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
   Effect worst;
-  for (const double exponent : parse_sweep(fits.family().info.sweep)) {
+  for (const double exponent : parse_sweep(fits.family().sweep)) {
     const Fit& fit = fits.at(exponent, metric);
     if (fit.status != Status::converged) continue;
     auto from = fit.parameters;

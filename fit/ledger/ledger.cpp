@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "fit/ledger/claim_files.hpp"
 #include "fit/ledger/read_claims.hpp"
+#include "studies/claims_files.hpp"
 
 namespace shadefit {
 
 std::span<const Topic> ledger() {
   static const ReadClaims read = [] {
     ReadClaims claims;
-    for (const ClaimFile& file : claim_files)
+    for (const EmbeddedFile& file : claims_files)
       (file.name == "sources" ? read_sources : read_topic)(std::string(file.text), std::string(file.name),
                                                            claims);
     return claims;
@@ -21,7 +21,7 @@ std::span<const Topic> ledger() {
 bool has_claim(std::string_view id) {
   const std::string line = "\nid = \"" + std::string(id) + "\"\n";
   return std::ranges::any_of(
-      claim_files, [&](const ClaimFile& file) { return file.text.find(line) != std::string_view::npos; });
+      claims_files, [&](const EmbeddedFile& file) { return file.text.find(line) != std::string_view::npos; });
 }
 
 std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,

@@ -1,9 +1,12 @@
 #include "fit/ledger/read_claims.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "approx/catalogue.hpp"
-#include "fit/input/toml_reader.hpp"
+#include "approx/normalisation.hpp"
+#include "fit/catalogue/family.hpp"
+#include "fit/catalogue/toml_reader.hpp"
 
 namespace shadefit {
 namespace {
@@ -43,14 +46,9 @@ class ClaimReader {
     return kept(file_.optional(table, key));
   }
 
-  const Published* published(std::string_view id) const {
-    const auto found = std::ranges::find(published_constants, id, &Published::id);
-    return found == published_constants.end() ? nullptr : &*found;
-  }
-
   /// What the constant or normalisation of that id prints, and its source.
   std::pair<std::string_view, Source> record(const toml::node& node, std::string_view id) const {
-    if (const Published* found = published(id)) return {found->printed, found->source};
+    if (const Published* found = find_published(id)) return {found->printed, found->source};
     const auto found = std::ranges::find(normalisations, id, &Normalisation::id);
     if (found == normalisations.end()) file_.fail(node, fmt::format("no constant has the id '{}'", id));
     return {found->printed, found->source};
@@ -87,7 +85,7 @@ class ClaimReader {
   std::span<const Published> constants(const toml::table& table) const {
     std::vector<Published>& result = into_.constants.emplace_back();
     for (const toml::node* node : file_.list(table, "constants")) {
-      const Published* found = published(file_.text(*node, "constants"));
+      const Published* found = find_published(file_.text(*node, "constants"));
       if (found == nullptr) file_.fail(*node, "no published constant has that id");
       result.push_back(*found);
     }

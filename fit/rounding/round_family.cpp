@@ -41,7 +41,7 @@ RoundedStudy round_fit(const Fit& fit, const NumberFormat& format, const std::ve
                        const Checkpoint& checkpoint) {
   require_exponent(fit, format);
   require_no_weight(fit.metric, format);
-  const FittableFamily& family = *find_family(fit.family->id);
+  const Family& family = *fit.family;
   StudyObjective objective{
       .study = plain_study_of(family, setting_of(fit), fit.metric.error, fit.metric.domain),
       .norm = Norm::minimax,

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/rounding/round_study.hpp"
 
 namespace shadefit {

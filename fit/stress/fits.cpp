@@ -4,7 +4,7 @@ namespace shadefit {
 
 std::vector<Fit> fits_under_stress(const Checkpoint& checkpoint) {
   std::vector<Fit> fits;
-  for (const FittableFamily& family : fittable_families()) {
+  for (const Family& family : families()) {
     const auto add = [&](double exponent, const Domain& domain) {
       checkpoint();
       fits.push_back(family.fit(Setting(exponent), {.domain = domain}));

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/checkpoint.hpp"
 
 namespace shadefit {

@@ -5,6 +5,7 @@
 
 #include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
+#include "fit/catalogue/published.hpp"
 #include "fit/scalars/half.hpp"
 
 namespace shadefit {
@@ -78,7 +79,7 @@ std::vector<double> exponents(const BinaryFormat& format) {
   for (double decade = 1e-3; decade <= 1e9; decade *= 10) {
     for (const double times : {1.0, 5.0}) add(decade * times);
   }
-  add(constant<double>(sg_offset_published[0].printed));
+  add(constant<double>(find_published("sg-offset-mean")->printed));
   for (const double more : {3.7, 15.0, 1024.0, 2048.0, 65504.0, 1e9}) add(more);
   return each_once(all, 1e-3, std::min(1e9, largest(format)));
 }

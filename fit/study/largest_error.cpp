@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <span>
 #include <utility>
 
+#include "fit/scalars/hinges.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/tape/batch.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -75,6 +77,20 @@ class Magnitude {
   TapeProgram<double> curve_;
 };
 
+/// The vertex of the parabola through three places around the middle one. Near a top the values of a double
+/// differ by rounding alone, over half of the digits of the place; these are as far apart as costs the least.
+/// The place itself where there is no such top.
+template <class Value>
+double vertex_beside(const Value& value, double place, const std::array<double, 2>& around) {
+  constexpr double share = 2e-3;
+  const double step = share * (around[1] - around[0]), middle = value(place), left = value(place - step),
+               right = value(place + step), bend = left - 2 * middle + right;
+  const double vertex = place + step / 2 * (left - right) / bend;
+  const bool is_top =
+      bend < 0 && std::abs(vertex - place) < step && around[0] <= vertex && vertex <= around[1];
+  return is_top && value(vertex) >= middle * (1 - rounding_share) ? vertex : place;
+}
+
 /// Moves a place to the top of its hill, one variable after the other, by golden-section search between its
 /// neighbours on the grid.
 StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
@@ -106,7 +122,7 @@ StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
           at_left = value(left = high - golden * (high - low));
         }
       }
-      const double top = low + (high - low) / 2;
+      const double top = vertex_beside(value, low + (high - low) / 2, around[axis]);
       // Without a gain the place of the grid, perhaps an end, is the better answer.
       if (const double found = value(top); found > best.magnitude * (1 + rounding_share)) {
         best.magnitude = found;
@@ -241,11 +257,20 @@ bool is_rounding(const ReadStudy& study, const std::vector<std::vector<StudyEdge
 
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters) {
-  // Of equal tops, as in a minimax fit, the first one counts: which one is largest is rounding.
+  // Of equal tops, as in a minimax fit, the first one counts: which one is largest is rounding. So is a top
+  // next to an end of one axis.
   constexpr double equal = 1e-9;
+  const auto is_end_beside = [&](double at, double other) {
+    const double lower = edges.front().front().at, upper = edges.front().back().at;
+    return edges.size() == 1 && (at == lower || at == upper) &&
+           std::abs(at - other) <= equal * (upper - lower);
+  };
   StudyExtremum best;
   for (const StudyExtremum& top : tops_of_error(study, edges, parameters, 1)) {
-    if (best.at.empty() || top.magnitude > best.magnitude * (1 + equal)) best = top;
+    if (best.at.empty() || top.magnitude > best.magnitude * (1 + equal) ||
+        (top.magnitude >= best.magnitude * (1 - rounding_share) &&
+         is_end_beside(top.at.front(), best.at.front())))
+      best = top;
   }
   if (!is_rounding(study, edges, parameters, best)) return best;
   StudyExtremum none;
@@ -253,8 +278,30 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
   return none;
 }
 
+std::vector<Symbolic> moving_poles(const ReadStudy& study) {
+  std::vector<Symbolic> poles;
+  if (study.rows || study.axes.size() > 1) return poles;
+  for (const Hinge& hinge : hinges_of(study.form)) {
+    const std::set<std::string> names = free_variables(hinge.part);
+    if (hinge.is_pole &&
+        std::ranges::any_of(study.parameters, [&](const std::string& name) { return names.contains(name); }))
+      poles.push_back(hinge.part);
+  }
+  return poles;
+}
+
+std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>& parameters) {
+  for (const Symbolic& pole : moving_poles(study)) {
+    const StudyAxis& axis = study.axes.front();
+    for (const double place : zeros_of(at_parameters(study, pole, parameters), axis))
+      if (axis.lower < place && place < axis.upper) return place;
+  }
+  return std::nullopt;
+}
+
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters) {
   if (study.rows) return largest_residual(study, parameters);
+  if (const auto pole = pole_of(study, parameters)) return {HUGE_VAL, {*pole}};
   return largest_error(study, edges_of(study), parameters);
 }
 

@@ -31,7 +31,14 @@ std::vector<StudyExtremum> tops_of(const Tape& curve, std::optional<double> grou
 /// target is 0.
 ReadStudy weighted_error_of(const ReadStudy& study);
 
-/// The largest |form - target| of a study: over its range, or over its rows.
+/// The denominators of the form that contain a parameter, where it has one variable.
+std::vector<Symbolic> moving_poles(const ReadStudy& study);
+
+/// A zero of one of them inside the range of the only variable. A pole between two places of a
+/// search or two nodes of a fit has no width, and nodes do not reach the ends.
+std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>& parameters);
+
+/// The largest |form - target| of a study: over its range, infinite at a pole, or over its rows.
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters);
 
 /// The largest weighted error, relative if the study says so: what minimax minimises.

@@ -121,8 +121,9 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
                   std::vector<StudyEdge>& edges) {
   const auto [may_be_zero, is_monotone] = part.range(axis.lower, axis.upper);
   if (!may_be_zero) return;
-  // A monotone part of one sign can be 0 at an end alone.
-  const bool has_ends_only = is_monotone && part.value(axis.lower) * part.value(axis.upper) >= 0;
+  // The sign of a monotone part at both ends tells whether it has a zero, and bisection finds it.
+  const bool has_ends_only =
+      is_monotone && std::isfinite(part.value(axis.lower)) && std::isfinite(part.value(axis.upper));
   const std::vector<double> places =
       has_ends_only ? std::vector{axis.lower, axis.upper} : places_on(axis.lower, axis.upper);
   const std::vector<double> values = part.values(places);

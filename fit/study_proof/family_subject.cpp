@@ -2,39 +2,13 @@
 
 #include <algorithm>
 
-#include "fit/catalogue_study.hpp"
-#include "fit/families/admissible.hpp"
-#include "fit/family_visit.hpp"
-#include "fit/proof/enclosed_constant.hpp"
-#include "fit/proof/interval_ends.hpp"
+#include "fit/catalogue/catalogue_study.hpp"
 #include "fit/study_proof/prove_shape.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
-
-/// Requires that the form has no pole in the domain. The denominator is linear in c, so checking both ends is
-/// enough.
-void require_admissible(const FamilySubject& subject) {
-  visit_family(subject.family, [&]<class F>(std::type_identity<F>) {
-    if constexpr (HasDenominator<F>) {
-      const F family = make_family<F>(subject.setting);
-      std::array<Interval, F::parameters.size()> p;
-      std::string text;
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        const auto& [name, value] = subject.parameters[i];
-        p[i] = enclosed_constant(value).value();
-        text += (i == 0 ? "" : ", ") + name + " = " + value;
-      }
-      for (const double end : {subject.domain.lower, subject.domain.upper}) {
-        if (!(lower_end(family.denominator(Interval(end), p)) > 0))
-          throw UserError(subject.family + " with " + text + " has a pole: it must be " +
-                          rule_of_admission(family, subject.domain));
-      }
-    }
-  });
-}
 
 /// A form that falls with the angle rises with its cosine.
 Course course_of(Trend trend) {
@@ -43,8 +17,8 @@ Course course_of(Trend trend) {
 
 }  // namespace
 
-std::string target_text(const FittableFamily& family, const Setting& setting) {
-  if (!family.is_fresnel() || !setting.surface.is_exact()) return to_text(family.target());
+std::string target_text(const Family& family, const Setting& setting) {
+  if (!family.is_fresnel || !setting.surface.is_exact()) return to_text(family.target);
   return setting.surface.extinction == 0 ? "(F - f0)/(1 - f0), F the exact reflectance of a dielectric"
                                          : "(F - f0)/(1 - f0), F the exact reflectance of a conductor";
 }
@@ -54,47 +28,45 @@ FamilySubject subject_of(const Fit& fit, Error error) {
                         .setting = setting_of(fit),
                         .error = error,
                         .domain = fit.metric.domain};
-  const FittableFamily& family = *find_family(fit.family->id);
+  const Family& family = *fit.family;
   for (std::size_t i = 0; i < family.parameters.size(); ++i)
     subject.parameters.emplace_back(std::string(family.parameters[i]), hex_text(fit.parameters[i]));
   return subject;
 }
 
-Study plain_study_of(const FittableFamily& family, const Setting& setting, Error error,
-                     const Domain& domain) {
+Study plain_study_of(const Family& family, const Setting& setting, Error error, const Domain& domain) {
   Domain counted = domain;
   if (error == Error::relative) {
     const auto defined = family.relative_domain(setting, domain);
     if (!defined)
-      throw UserError("a relative error of " + std::string(family.info.id) +
-                      " has no meaning on the domain " + to_text(domain));
+      throw UserError("a relative error of " + std::string(family.id) + " has no meaning on the domain " +
+                      to_text(domain));
     counted = *defined;
   }
   Study study;
-  if (family.is_fresnel()) {
+  if (family.is_fresnel) {
     study = fresnel_study(setting.surface, error);
   } else {
-    study.target = to_text(family.target());
+    study.target = to_text(family.target);
     study.given["k"] = to_text(setting.exponent);
     study.error = error;
   }
   study.over = {{"c", to_text(counted.lower), to_text(counted.upper)}};
-  study.form = to_text(family.form());
+  study.form = to_text(family.form);
   return study;
 }
 
 StudySubject in_words(const FamilySubject& subject) {
-  const FittableFamily& family = *find_family(subject.family);
+  const Family& family = *find_family(subject.family);
   const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
   if (const std::string fault = fault_of_constants(subject.parameters, known, subject.family); !fault.empty())
     throw UserError(fault);
-  require_admissible(subject);
   return {plain_study_of(family, subject.setting, subject.error, subject.domain), subject.parameters};
 }
 
 std::vector<std::pair<std::string, Proof>> prove_curve(const FamilySubject& subject,
                                                        const Checkpoint& checkpoint) {
-  const CurveShape& stated = find_family(subject.family)->info.curve;
+  const CurveShape& stated = find_family(subject.family)->curve;
   const StudySubject study = in_words(subject);
   std::vector<std::pair<std::string, Proof>> properties;
   const auto prove = [&](bool is_stated, const std::string& words, const Constraints& constraint) {

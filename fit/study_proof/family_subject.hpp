@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/proof/constants.hpp"
 #include "fit/proof/proof.hpp"
 #include "fit/quadrature/metric.hpp"
@@ -24,7 +24,7 @@ struct FamilySubject {
 };
 
 /// The target of a form in a setting, as a reader reads it.
-std::string target_text(const FittableFamily& family, const Setting& setting);
+std::string target_text(const Family& family, const Setting& setting);
 
 /// The subject of a fit, its parameters exact.
 FamilySubject subject_of(const Fit& fit, Error error = Error::absolute);
@@ -32,10 +32,9 @@ FamilySubject subject_of(const Fit& fit, Error error = Error::absolute);
 /// The study of a family in its plain formulas of c, whose errors are those of the family: of the lobe, or of
 /// the reflectance F if a Fresnel form has a surface. A relative error is narrowed to where it is defined.
 /// Throws UserError where that is nowhere.
-Study plain_study_of(const FittableFamily& family, const Setting& setting, Error error, const Domain& domain);
+Study plain_study_of(const Family& family, const Setting& setting, Error error, const Domain& domain);
 
-/// The same with the constants. Throws UserError for constants that are not those of the family, and for
-/// those with which its form has a pole.
+/// The same with the constants. Throws UserError for constants that are not those of the family.
 StudySubject in_words(const FamilySubject& subject);
 
 /// What the record of a family states of its curve, with the results of the proofs: "falls with the angle",

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "approx/catalogue.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/root.hpp"
 #include "fit/support/sweep.hpp"
 
@@ -48,13 +48,13 @@ bool is_meant_for(const Published& published, const Fit& fit) {
 
 std::vector<const Published*> numbers_of(const Family& family) {
   std::vector<const Published*> numbers;
-  for (const Published& published : published_constants) {
+  for (const Published& published : published_constants()) {
     if (published.family == family.id) numbers.push_back(&published);
   }
   return numbers;
 }
 
-std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const FittableFamily& family,
+std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const Family& family,
                                                                               const Published& published) {
   std::vector<std::pair<std::string_view, std::string_view>> parameters;
   for (const std::string_view parameter : family.parameters) {
@@ -62,18 +62,18 @@ std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(co
       parameters.emplace_back(parameter, published.printed);
       continue;
     }
-    const auto found = std::ranges::find_if(published_constants, [&](const Published& other) {
+    const auto found = std::ranges::find_if(published_constants(), [&](const Published& other) {
       return other.family == published.family && other.parameter == parameter &&
              other.source.place == published.source.place && other.statement == published.statement &&
              other.convention.name == published.convention.name;
     });
-    if (found == published_constants.end()) throw std::logic_error("a published curve lacks a parameter");
+    if (found == published_constants().end()) throw std::logic_error("a published curve lacks a parameter");
     parameters.emplace_back(parameter, found->printed);
   }
   return parameters;
 }
 
-std::vector<double> published_parameters(const FittableFamily& family, const Published& published) {
+std::vector<double> published_parameters(const Family& family, const Published& published) {
   std::vector<double> values;
   for (const auto& parameter : printed_parameters(family, published))
     values.push_back(constant<double>(parameter.second));
@@ -83,11 +83,10 @@ std::vector<double> published_parameters(const FittableFamily& family, const Pub
 const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
   const auto key = std::pair(metric, setting);
   const auto found = fits_.find(key);
-  return found != fits_.end() ? found->second
-                              : fits_.emplace(key, family_.fit(setting, metric)).first->second;
+  return found != fits_.end() ? found->second : fits_.emplace(key, fitter_(setting, metric)).first->second;
 }
 
-FitCache& Fits::of(const FittableFamily& family) {
+FitCache& Fits::of(const Family& family) {
   return caches_.try_emplace(&family, family).first->second;
 }
 
@@ -122,7 +121,7 @@ std::vector<Metric> whole_domain_metrics() {
 std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published,
                                             const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
-  const auto exponents = parse_sweep(fits.family().info.sweep);
+  const auto exponents = parse_sweep(fits.family().sweep);
   // The smallest exponent at which the fitted parameter crosses `value`.
   const auto crossing = [&](double value) -> std::optional<double> {
     const auto above = [&](double log_exponent) {
@@ -161,8 +160,8 @@ std::vector<Alternative> alternatives(FitCache& fits, const Published& published
   if (metric.domain != Domain{}) {
     for (const Metric& other : whole_domain_metrics()) add(other);
   }
-  if (published.convention.value != nullptr) {
-    others.push_back({std::string(published.convention.name), published.convention.value()});
+  if (published.convention.value) {
+    others.push_back({std::string(published.convention.name), *published.convention.value});
   }
   return others;
 }
@@ -193,7 +192,7 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
     for (const Setting& setting : settings) {
       checkpoint();
       FitReport report{fits.at(setting, metric), {}};
-      for (const Published& published : published_constants) {
+      for (const Published& published : published_constants()) {
         if (!is_meant_for(published, report.fit)) continue;
         const auto assessment = assess(fits, published, metric);
         if (assessment) report.assessments.push_back(*assessment);
@@ -212,7 +211,7 @@ std::vector<double> exponents_needed_by(const Published& published, const Family
 
 Refit refit(FitCache& fits, std::vector<double> exponents, std::vector<const Published*> numbers,
             std::span<const Metric> under, const Checkpoint& checkpoint) {
-  const FittableFamily& family = fits.family();
+  const Family& family = fits.family();
   // A number published for an exponent outside the sweep is fitted and judged too.
   for (const Published* number : numbers) {
     if (number->statement == Statement::best_fit && family.has_exponent())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -10,7 +11,7 @@
 
 #include "approx/lobe.hpp"
 #include "approx/records/record.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/verdict.hpp"
 
@@ -22,11 +23,11 @@ std::vector<const Published*> numbers_of(const Family& family);
 
 /// The names and digits of the parameters of the published curve that has this number: all that the same
 /// source prints together, in the order of the family's names.
-std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const FittableFamily& family,
+std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const Family& family,
                                                                               const Published& published);
 
 /// The same as numbers.
-std::vector<double> published_parameters(const FittableFamily& family, const Published& published);
+std::vector<double> published_parameters(const Family& family, const Published& published);
 
 /// The exponents for which a number is right that was published without its exponent.
 struct ExponentRange {
@@ -52,7 +53,7 @@ struct FitReport {
 
 /// A family refitted over a sweep.
 struct Refit {
-  const FittableFamily* family;
+  const Family* family;
   std::vector<const Published*> numbers;  ///< the published numbers that are judged
   std::vector<FitReport> fits;            ///< by metric, then by exponent
   std::vector<Assessment> derived;  ///< means, limits, numbers without exponent: by number, then by metric
@@ -61,22 +62,26 @@ struct Refit {
 /// The fits of one family, each computed once. Not thread-safe.
 class FitCache {
  public:
-  explicit FitCache(const FittableFamily& family) : family_(family) {}
-  const FittableFamily& family() const { return family_; }
+  using Fitter = std::function<Fit(const Setting&, const Metric&)>;
+
+  explicit FitCache(const Family& family) : FitCache(family, std::bind_front(&Family::fit, &family)) {}
+  FitCache(const Family& family, Fitter fitter) : family_(family), fitter_(std::move(fitter)) {}
+  const Family& family() const { return family_; }
   const Fit& at(const Setting& setting, const Metric& metric);
 
  private:
-  const FittableFamily& family_;
+  const Family& family_;
+  Fitter fitter_;
   std::map<std::pair<Metric, Setting>, Fit> fits_;
 };
 
 /// The fits of all families, each computed once. The tables and the ledger of a run share one.
 class Fits {
  public:
-  FitCache& of(const FittableFamily& family);
+  FitCache& of(const Family& family);
 
  private:
-  std::map<const FittableFamily*, FitCache> caches_;
+  std::map<const Family*, FitCache> caches_;
 };
 
 /// Fits the family at each setting under each of `under`, and judges the published numbers for those fits.

@@ -109,7 +109,7 @@ std::vector<Metric> other_contracts(const Metric& own) {
 
 /// The constants of a fit of a family. `fit` must outlive them.
 FittedConstants constants_of(const Fit& fit) {
-  const FittableFamily& family = *find_family(fit.family->id);
+  const Family& family = *fit.family;
   const Setting setting = setting_of(fit);
   FittedConstants constants{{family.parameters.begin(), family.parameters.end()}, fit.parameters, {}, {}, {}};
   const std::vector<Held>& given = fit.metric.constraints.held;
@@ -159,7 +159,7 @@ Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint) {
   Sensitivity result = sensitivity_of(constants_of(fit), checkpoint);
   for (const Metric& metric : other_contracts(fit.metric)) {
     checkpoint();
-    result.contracts.push_back({metric, find_family(fit.family->id)->fit(setting_of(fit), metric)});
+    result.contracts.push_back({metric, fit.family->fit(setting_of(fit), metric)});
   }
   return result;
 }

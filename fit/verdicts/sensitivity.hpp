@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// The digits of a fit's constants that matter, and the dependence of the constants on measure and domain. A

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "fit/catalogue/study_file.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study/study_file.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 /// Verdicts on what sources say about the errors of their constants.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/study_objectives.hpp"
 #include "fit/verdicts/verdict.hpp"

@@ -7,8 +7,7 @@
 #include <span>
 #include <tuple>
 
-#include "approx/catalogue.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit::lint {
@@ -124,14 +123,14 @@ void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
 /// The published constants of the built-in families, one set for each family and source.
 void append_families(std::vector<KnownSet>& sets) {
   std::map<std::tuple<std::string_view, std::string_view, int, std::string_view>, std::size_t> places;
-  for (const Published& record : published_constants) {
-    const FittableFamily& family = *find_family(record.family);
+  for (const Published& record : published_constants()) {
+    const Family& family = *find_family(record.family);
     // Two records of one parameter are two sets: 0.775 and 0.788.
     const auto same = std::tuple(record.family, record.source.author, record.source.year,
                                  family.parameters.size() == 1 ? record.id : "");
     const auto [place, is_new] = places.emplace(same, sets.size());
     if (is_new) {
-      KnownSet set{std::string(record.family), "", std::string(record.source.author), {}, family.form(), {}};
+      KnownSet set{std::string(record.family), "", std::string(record.source.author), {}, family.form, {}};
       set.axes = {{"c", 0, 1}};
       // A lobe of a smaller exponent is not Gaussian; one of a far larger exponent is a point.
       if (family.has_exponent()) set.axes.push_back({"k", 3, 30});

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <vector>
 
+#include "fit/catalogue/study_file.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/scalars/symbolic.hpp"
-#include "fit/study/study_file.hpp"
 #include "fit/support/memory.hpp"
 
 /// Published constants that a source tree may contain.

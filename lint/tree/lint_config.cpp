@@ -4,8 +4,12 @@
 #include <cmath>
 #include <system_error>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include "fit/input/bounded_file.hpp"
-#include "fit/input/toml_reader.hpp"
+
+#include "fit/catalogue/toml_reader.hpp"
+#include "fit/support/nearest.hpp"
 #include "lint/tree/git_files.hpp"
 
 namespace shadefit::lint {

@@ -25,14 +25,20 @@ std::vector<const Contender*> shown_contenders(const Comparison& comparison) {
   return shown;
 }
 
-/// The error of a contender at a cosine: of a lobe, of a weight f, or on a surface of F = f0 + (1 - f0) f.
-double error_at(const Comparison& comparison, const Contender& contender, const Cosine<double>& at) {
+/// The error of a contender over the cosine: of a lobe, of a weight f, or on a surface of F = f0 + (1 - f0)
+/// f.
+std::function<double(const Cosine<double>&)> error_of(const Comparison& comparison,
+                                                      const Contender& contender) {
   const Surface& surface = comparison.setting.surface;
-  const double scale = surface.is_named() ? 1 - normal_reflectance<double>(surface) : 1;
-  const FittableFamily* family = find_family(contender.family);
-  const double error = family == nullptr ? schlick_weight(at.cos_theta) - target_weight(surface, at.cos_theta)
-                                         : family->point(comparison.setting, contender.values, at).error;
-  return scale * error;
+  const Family* family = find_family(contender.family);
+  if (family == nullptr)
+    return [surface](const Cosine<double>& at) {
+      const double difference = schlick_weight(at.cos_theta) - target_weight(surface, at.cos_theta);
+      return (1 - normal_reflectance<double>(surface)) * difference;
+    };
+  return [curve = family->curve_at(comparison.setting, contender.values)](const Cosine<double>& at) {
+    return curve(at).error;
+  };
 }
 
 }  // namespace
@@ -44,7 +50,9 @@ Figure better_figure(const Comparison& comparison) {
               .x_label = "c, the cosine",
               .y_label = comparison.setting.surface.is_named() ? "error of F" : "error",
               .abscissa = "cosine"};
+  std::vector<std::function<double(const Cosine<double>&)>> errors;
   for (std::size_t i = 0; i < shown.size(); ++i) {
+    errors.push_back(error_of(comparison, *shown[i]));
     const std::string column = fmt::format("error_{}", i + 1);
     table.columns.push_back(column);
     const bool is_published = shown[i]->kind == Contender::Kind::published;
@@ -54,8 +62,7 @@ Figure better_figure(const Comparison& comparison) {
   const Domain& domain = comparison.domain;
   for (const double c : abscissae(domain.lower, domain.upper)) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(c)});
-    for (const Contender* contender : shown)
-      row.push_back(plotted(error_at(comparison, *contender, {c, 1 - c})));
+    for (const auto& error : errors) row.push_back(plotted(error({c, 1 - c})));
   }
   panel.settings = fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange {}\n", domain.lower, domain.upper,
                                range_around(table, panel.curves));
@@ -65,7 +72,7 @@ Figure better_figure(const Comparison& comparison) {
       .columns = 1,
       .panel_height = 360,
       .panels = {panel}};
-  return {plot.name, comparison.family->info.id, plot.about, table, write_script(plot)};
+  return {plot.name, comparison.family->id, plot.about, table, write_script(plot)};
 }
 
 }  // namespace shadefit

@@ -36,11 +36,9 @@ bool has_level(const Fit& fit) {
 }
 
 /// The curve over the cosine, and a row for each contact.
-Table curve_table(const Fit& fit, const FittableFamily& family) {
+Table curve_table(const Fit& fit, const Family& family) {
   Table table{{"cosine", "target", "form", "error", "contact"}};
-  const auto point_at = [&](const Cosine<double>& at) {
-    return family.point(setting_of(fit), fit.parameters, at);
-  };
+  const auto point_at = family.curve_at(setting_of(fit), fit.parameters);
   const Domain domain = shown_domain(fit);
   for (const double c : abscissae(domain.lower, domain.upper)) {
     const CurvePoint point = point_at({c, 1 - c});
@@ -59,19 +57,19 @@ Table curve_table(const Fit& fit, const FittableFamily& family) {
 }
 
 /// "a = -5.5547, b = -6.9832"
-std::string constants_text(const Fit& fit, const FittableFamily& family) {
+std::string constants_text(const Fit& fit, const Family& family) {
   return equations(family.parameters, fit.parameters, [](double value) {
     return typeset(text(Number{value, 7}, Precision::report));
   });
 }
 
-Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table) {
+Plot curve_plot(const Fit& fit, const Family& family, const Table& table) {
   const bool is_relative = fit.metric.error == Error::relative;
   const Domain domain = shown_domain(fit);
   const std::string range = fmt::format("set xrange [{:.9g}:{:.9g}]\n", domain.lower, domain.upper);
   const std::string at = fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "";
   Panel curves{
-      .title = for_gnuplot(fmt::format("{}{}: {}", to_text(family.form()), at, constants_text(fit, family))),
+      .title = for_gnuplot(fmt::format("{}{}: {}", to_text(family.form), at, constants_text(fit, family))),
       .y_label = fit.surface.is_exact() ? "weight f" : "value",
       .settings = range,
       .abscissa = "cosine",
@@ -89,7 +87,7 @@ Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table
   }
   errors.settings += "set yrange " + range_around(table, errors.curves) + "\n";
   return {.name = std::string(file_name),
-          .about = fmt::format("A fit of {}: {}.", family.info.id, name(fit.metric.norm)),
+          .about = fmt::format("A fit of {}: {}.", family.id, name(fit.metric.norm)),
           .columns = 1,
           .panel_height = panel_height,
           .panels = {curves, errors}};
@@ -98,13 +96,13 @@ Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table
 }  // namespace
 
 Figure fit_figure(const Refit& refit) {
-  const FittableFamily& family = *refit.family;
+  const Family& family = *refit.family;
   const Fit& fit = refit.fits.front().fit;
   if (fit.status != Status::converged)
-    throw UserError(fmt::format("--plot: no fit of {} converged", family.info.id));
+    throw UserError(fmt::format("--plot: no fit of {} converged", family.id));
   const Table table = curve_table(fit, family);
   const Plot plot = curve_plot(fit, family, table);
-  return {plot.name, family.info.id, plot.about, table, write_script(plot)};
+  return {plot.name, family.id, plot.about, table, write_script(plot)};
 }
 
 }  // namespace shadefit

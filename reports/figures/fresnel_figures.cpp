@@ -6,7 +6,7 @@
 
 #include "approx/fresnel.hpp"
 #include "approx/records/optical_constants.hpp"
-#include "fit/families/surface.hpp"
+#include "fit/catalogue/surface.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/joined.hpp"

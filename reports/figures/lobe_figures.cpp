@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "approx/lobe.hpp"
-#include "approx/phong_blinn.hpp"
-#include "fit/families/families.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 
@@ -21,25 +21,6 @@ struct Approximation {
   Look look;
   double (*parameter)(const Fit&);
 };
-
-/// The curve of a family at a place.
-struct LobePoint {
-  double form, error, relative_error;
-};
-
-using LobeFormulas = LobePoint (*)(const Cosine<double>&, double exponent, double parameter);
-
-template <class F>
-LobePoint lobe_point(const Cosine<double>& c, double exponent, double parameter) {
-  const F family{{exponent}};
-  const auto sample = family.sample(c);
-  const std::array parameters{parameter};
-  return {family.form(sample, parameters), family.error(sample, parameters),
-          family.relative_error(sample, parameters)};
-}
-
-constexpr LobeFormulas gaussian = lobe_point<SgOffset>;
-constexpr LobeFormulas blinn = lobe_point<PhongBlinn>;
 
 /// The available fits of a low, a medium and a high exponent under the first measure.
 std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double> exponents) {
@@ -57,46 +38,53 @@ double last_angle(const Fit& fit) {
   return std::ceil(degrees_of({c, 1 - c}) / step) * step;
 }
 
-/// Calls `append` for each row, which already contains exponent and angle.
+/// Calls `append` for each row, which already contains exponent and angle, with the points of the curves.
 template <class Append>
-void add_rows(Table& table, const std::vector<const Fit*>& fits, const Append& append) {
+void add_rows(Table& table, const std::vector<const Fit*>& fits,
+              const std::vector<Approximation>& approximations, const Append& append) {
   for (const Fit* fit : fits) {
+    std::vector<std::function<CurvePoint(const Cosine<double>&)>> curves;
+    for (const Approximation& approximation : approximations) {
+      const double parameter = approximation.parameter(*fit);
+      curves.push_back(fit->family->curve_at(setting_of(*fit), std::span(&parameter, 1)));
+    }
     for (int i = 0; i <= plot_steps; ++i) {
       const double angle = last_angle(*fit) * i / plot_steps;
       auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(*fit->exponent), plotted(angle)});
-      append(row, *fit, cosine_of_degrees(angle));
+      const Cosine<double> cosine = cosine_of_degrees(angle);
+      std::vector<CurvePoint> points;
+      for (const auto& curve : curves) points.push_back(curve(cosine));
+      append(row, *fit, cosine, points);
     }
   }
 }
 
-Table lobe_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
-                 LobeFormulas formulas) {
+Table lobe_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations) {
   Table table{{"exponent", "angle", "target"}};
   for (const auto& approximation : approximations) table.columns.push_back(approximation.column);
-  add_rows(table, fits, [&](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c) {
-    row.push_back(plotted(power_lobe(c.cos_theta, *fit.exponent)));
-    for (const auto& approximation : approximations)
-      row.push_back(plotted(formulas(c, *fit.exponent, approximation.parameter(fit)).form));
-  });
+  add_rows(table, fits, approximations,
+           [](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c,
+              const std::vector<CurvePoint>& points) {
+             row.push_back(plotted(power_lobe(c.cos_theta, *fit.exponent)));
+             for (const CurvePoint& point : points) row.push_back(plotted(point.form));
+           });
   return table;
 }
 
 /// Relative errors are given where the target is at least 1/255.
-Table error_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
-                  LobeFormulas formulas) {
+Table error_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations) {
   Table table{{"exponent", "angle"}};
   for (const char* kind : {"abs_", "rel_"}) {
     for (const auto& approximation : approximations) table.columns.push_back(kind + approximation.column);
   }
-  add_rows(table, fits, [&](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c) {
-    const auto point_of = [&](const Approximation& approximation) {
-      return formulas(c, *fit.exponent, approximation.parameter(fit));
-    };
-    const bool is_visible = c.cos_theta >= fit.relative_domain.lower;
-    for (const auto& approximation : approximations) row.push_back(plotted(point_of(approximation).error));
-    for (const auto& approximation : approximations)
-      row.push_back(is_visible ? plotted(point_of(approximation).relative_error) : Cell());
-  });
+  add_rows(table, fits, approximations,
+           [](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c,
+              const std::vector<CurvePoint>& points) {
+             const bool is_visible = c.cos_theta >= fit.relative_domain.lower;
+             for (const CurvePoint& point : points) row.push_back(plotted(point.error));
+             for (const CurvePoint& point : points)
+               row.push_back(is_visible ? plotted(point.relative_error.value_or(0)) : Cell());
+           });
   return table;
 }
 
@@ -181,21 +169,21 @@ Figure gaussian_lobe_figure(const std::vector<const Fit*>& fits) {
                              {"value, logarithmic", "set logscale y\nset yrange [1./255:1]\n", curves, {}}},
                             fits, "k")};
   return {
-      plot.name, sg_offset.id,
+      plot.name, "sg-offset",
       "The lobe cos^k θ and its spherical Gaussian exp((k+x)(cos θ − 1)) for three offsets x, at a low, a "
       "medium and a high exponent k, each as far as the lobe is visible; below on a logarithmic scale, where "
       "the tails part.",
-      lobe_table(fits, gaussian_approximations(), gaussian), write_script(plot)};
+      lobe_table(fits, gaussian_approximations()), write_script(plot)};
 }
 
 Figure gaussian_error_figure(const std::vector<const Fit*>& fits) {
   const Plot plot{"lobe-errors",
                   "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.", 3, 200,
                   error_panels(fits, gaussian_approximations(), "k")};
-  return {plot.name, sg_offset.id,
+  return {plot.name, "sg-offset",
           "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
           "errors where the lobe is at least 1/255, and up to 100 %.",
-          error_table(fits, gaussian_approximations(), gaussian), write_script(plot)};
+          error_table(fits, gaussian_approximations()), write_script(plot)};
 }
 
 Figure offset_figure(const Refit& refit) {
@@ -214,7 +202,7 @@ Figure offset_figure(const Refit& refit) {
       panel("set logscale x\nset xrange [1:1e6]\nset format x '10^{%T}'\n", {limit, limit + ", the limit"});
   const Plot plot{"offset", "The best offset x by exponent k, under three measures.", 2, 330, {small, whole}};
   return {
-      plot.name, sg_offset.id,
+      plot.name, "sg-offset",
       fmt::format("The best offset x by exponent k under three measures, on a small and on the whole range, "
                   "with the printed mean {} and limit {}.",
                   mean, limit),
@@ -245,7 +233,7 @@ Figure factor_figure(const Refit& refit) {
                   340,
                   {panel}};
   return {
-      plot.name, phong_blinn.id,
+      plot.name, "phong-blinn",
       fmt::format(
           "The best factor from the Phong exponent ρ to Blinn's under three measures, with the printed {} and {}.",
           limit, somewhere),
@@ -257,10 +245,10 @@ Figure factor_error_figure(const std::vector<const Fit*>& fits) {
       "phong-blinn-errors",
       "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.", 3,
       200, error_panels(fits, blinn_approximations(), "ρ")};
-  return {plot.name, phong_blinn.id,
+  return {plot.name, "phong-blinn",
           "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
           "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
-          error_table(fits, blinn_approximations(), blinn), write_script(plot)};
+          error_table(fits, blinn_approximations()), write_script(plot)};
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "approx/catalogue.hpp"
+#include "fit/catalogue/family.hpp"
 
 namespace shadefit {
 
@@ -36,9 +36,7 @@ double degrees_of(const Cosine<double>& cosine) {
 }
 
 std::string printed(std::string_view id) {
-  for (const Published& published : published_constants) {
-    if (published.id == id) return std::string(published.printed);
-  }
+  if (const Published* found = find_published(id)) return std::string(found->printed);
   throw std::logic_error("no constant was published as " + std::string(id));
 }
 

@@ -12,9 +12,9 @@ namespace shadefit {
 namespace {
 
 /// The refit of a family, or null if it was not requested or one of its fits did not converge.
-const Refit* find_refit(const Results& results, const Family& family) {
+const Refit* find_refit(const Results& results, std::string_view family) {
   for (const Refit& refit : results.refits) {
-    if (refit.family->info.id != family.id) continue;
+    if (refit.family->id != family) continue;
     const bool is_whole = std::ranges::all_of(
         refit.fits, [](const FitReport& report) { return report.fit.status == Status::converged; });
     return is_whole ? &refit : nullptr;
@@ -29,14 +29,14 @@ std::vector<Figure> make_figures(const Results& results) {
   const auto add = [&](std::vector<Figure> more) {
     std::move(more.begin(), more.end(), std::back_inserter(figures));
   };
-  if (const Refit* refit = find_refit(results, sg_offset)) add(gaussian_figures(*refit));
+  if (const Refit* refit = find_refit(results, "sg-offset")) add(gaussian_figures(*refit));
   // The figures compare all Fresnel forms and need no fit. They stand at the end of the last Fresnel section.
-  const Refit* one_term = find_refit(results, fresnel_one_term_family);
-  const Refit* quadratic = find_refit(results, fresnel_quadratic_family);
+  const Refit* one_term = find_refit(results, "fresnel-one-term");
+  const Refit* quadratic = find_refit(results, "fresnel-quadratic");
   if (const Refit* last = quadratic != nullptr ? quadratic : one_term) {
-    add(fresnel_figures(last->family->info.id));
+    add(fresnel_figures(last->family->id));
   }
-  if (const Refit* refit = find_refit(results, phong_blinn)) add(phong_blinn_figures(*refit));
+  if (const Refit* refit = find_refit(results, "phong-blinn")) add(phong_blinn_figures(*refit));
   return figures;
 }
 

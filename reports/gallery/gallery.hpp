@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/better/better_study.hpp"
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "reports/io/files.hpp"
 #include "reports/table/table.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 
 /// The alternation of a minimax fit, in words.
 namespace shadefit {

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "approx/catalogue.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
@@ -47,7 +47,7 @@ void for_each_cited(const Use& use) {
   for (const Topic& topic : ledger()) {
     for (const Claim& claim : topic.claims) use(claim.id, claim.source);
   }
-  for (const Published& published : published_constants) {
+  for (const Published& published : published_constants()) {
     for (const std::string_view id : {published.id, published.family}) use(id, published.source);
   }
 }

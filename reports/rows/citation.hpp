@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "approx/records/record.hpp"
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 
 /// Sources as people and programs cite them.
 namespace shadefit {

@@ -118,12 +118,12 @@ Table comparisons_table(const std::vector<Comparison>& comparisons, Precision pr
   Table table{{"constant", "exponent", "target", "domain", "curve", "form", "parameters", "max_abs_error",
                "max_abs_error_at", "max_rel_error", "rms_error", "operations", "instructions", "beats"}};
   for (const Comparison& comparison : comparisons) {
-    const FittableFamily& family = *comparison.family;
+    const Family& family = *comparison.family;
     for (const Contender& contender : comparison.contenders) {
       const Cell error = precision == Precision::full
                              ? Cell(Number{contender.max_abs_error.upper, all_digits})
                              : shown_error(contender, 4);
-      table.rows.push_back({std::string(family.info.id),
+      table.rows.push_back({std::string(family.id),
                             family.has_exponent() ? Cell(Number{comparison.setting.exponent, 10}) : Cell(),
                             target_of(family, comparison.setting.surface), to_text(comparison.domain),
                             curve_id(contender), contender.form, constants_text(contender, precision), error,
@@ -136,9 +136,9 @@ Table comparisons_table(const std::vector<Comparison>& comparisons, Precision pr
 }
 
 Json write_comparison_json(const Comparison& comparison) {
-  const FittableFamily& family = *comparison.family;
+  const Family& family = *comparison.family;
   return {{"schema", 1},
-          {"constant", family.info.id},
+          {"constant", family.id},
           {"exponent", family.has_exponent() ? Json(comparison.setting.exponent) : Json()},
           {"target", target_of(family, comparison.setting.surface)},
           {"surface", surface_json(comparison)},

@@ -67,12 +67,12 @@ Json assessment_json(const Assessment& assessment) {
 
 }  // namespace
 
-Json write_fit_json(const FittableFamily& family, const FitReport& report) {
+Json write_fit_json(const Family& family, const FitReport& report) {
   const Fit& fit = report.fit;
   const bool is_answer = fit.status == Status::converged;
   const auto answer = [&](const Json& value) { return is_answer ? value : Json(); };
 
-  const auto f0 = family.is_fresnel() ? std::optional(normal_reflectance<double>(fit.surface)) : std::nullopt;
+  const auto f0 = family.is_fresnel ? std::optional(normal_reflectance<double>(fit.surface)) : std::nullopt;
 
   Json published, verdict;
   Verdict worst = Verdict::confirmed;
@@ -87,7 +87,7 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
   }
 
   return {{"schema", fit_json_schema},
-          {"constant", family.info.id},
+          {"constant", family.id},
           {"exponent", optional_json(fit.exponent)},
           {"parameters", json_object(family.parameters, fit.parameters, answer)},
           {"published", published},
@@ -108,7 +108,7 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"target", target_of(fit)},
           {"ior", fit.surface.is_named() ? Json(fit.surface.ior) : Json()},
           {"extinction", fit.surface.is_named() ? Json(fit.surface.extinction) : Json()},
-          {"form", to_text(family.form())},
+          {"form", to_text(family.form)},
           {"assessments", json_array(report.assessments, assessment_json)}};
 }
 

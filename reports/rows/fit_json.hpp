@@ -54,6 +54,6 @@ inline std::string json_text_of_each(const nlohmann::ordered_json& array) {
 /// One fit. `published` maps parameters to the first number published for each, or is null; `verdict` is the
 /// worst verdict on them; `assessments` lists every published number. If the fit did not converge, the
 /// numbers are null.
-nlohmann::ordered_json write_fit_json(const FittableFamily& family, const FitReport& report);
+nlohmann::ordered_json write_fit_json(const Family& family, const FitReport& report);
 
 }  // namespace shadefit

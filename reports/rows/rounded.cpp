@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json constants_json(const FittableFamily& family, const RoundedStudySet& constants, Error error) {
+Json constants_json(const Family& family, const RoundedStudySet& constants, Error error) {
   return {{"parameters", json_object(family.parameters, constants.values)},
           {"decimal", json_object(family.parameters, constants.texts)},
           {"hex", json_object(family.parameters, constants.values, hex_text)},
@@ -68,7 +68,7 @@ std::string each_once(const std::vector<std::string>& sentences) {
 }
 
 Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
-  const FittableFamily& family = *refit.family;
+  const Family& family = *refit.family;
   Table table;
   if (family.has_exponent()) table.columns.emplace_back("exponent");
   table.columns.emplace_back("constants");
@@ -110,7 +110,7 @@ std::string rounded_text(const std::vector<RoundedFit>& fits, Error error) {
   return each_once(said);
 }
 
-void add_rounded_json(Json& fit_json, const FittableFamily& family, const RoundedFit& fit, Error error) {
+void add_rounded_json(Json& fit_json, const Family& family, const RoundedFit& fit, Error error) {
   if (!fit.rounded) {
     fit_json["rounded"] = nullptr;
     fit_json["rounded_reason"] = fit.reason;

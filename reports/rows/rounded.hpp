@@ -39,7 +39,7 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits);
 std::string rounded_text(const std::vector<RoundedFit>& fits, Error error);
 
 /// Appends `rounded` to the JSON of a fit: null if there is none; then `rounded_reason` says why.
-void add_rounded_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const RoundedFit& fit,
+void add_rounded_json(nlohmann::ordered_json& fit_json, const Family& family, const RoundedFit& fit,
                       Error error);
 
 }  // namespace shadefit

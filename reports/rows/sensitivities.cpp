@@ -13,7 +13,7 @@ using Names = std::vector<std::string>;
 constexpr int end_digits = 6;  ///< of an interval's end, which is found to nine
 
 Names names_of(const Fit& fit) {
-  const auto names = find_family(fit.family->id)->parameters;
+  const auto names = fit.family->parameters;
   return {names.begin(), names.end()};
 }
 

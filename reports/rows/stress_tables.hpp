@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/stress/forms.hpp"
 #include "reports/table/table.hpp"
 

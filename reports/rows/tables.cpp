@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "approx/catalogue.hpp"
+#include "fit/catalogue/family.hpp"
 #include "reports/rows/citation.hpp"
 
 namespace shadefit {
@@ -40,7 +40,7 @@ PublishedCells published_cells(const Refit& refit, const FitReport* report, std:
 
 std::vector<Cell> row_start(const Refit& refit, const std::string& parameter,
                             std::optional<double> exponent) {
-  return {word(refit.family->info.id), parameter, exponent ? Cell(Number{*exponent, 10}) : Cell()};
+  return {word(refit.family->id), parameter, exponent ? Cell(Number{*exponent, 10}) : Cell()};
 }
 
 void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
@@ -57,7 +57,7 @@ std::string norm_text(const Metric& metric) {
 
 void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
                    const std::string& target) {
-  append(row, {target, to_text(refit.family->form()), to_text(metric.domain), word(name(metric.measure)),
+  append(row, {target, to_text(refit.family->form), to_text(metric.domain), word(name(metric.measure)),
                norm_text(metric)});
 }
 
@@ -92,7 +92,7 @@ void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& asses
   auto row = row_start(refit, derived_parameter(*assessment.published),
                        range ? std::optional(range->exactly) : std::nullopt);
   append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
-  append_metric(row, refit, assessment.metric, to_text(refit.family->target()));
+  append_metric(row, refit, assessment.metric, to_text(refit.family->target));
   append(row, {{}, {}, {}, {}, {}, cells.source});
   out.table.rows.push_back(row);
   out.origins.push_back({&refit, nullptr, 0});
@@ -134,7 +134,7 @@ std::string verdict_text(const Judgement& judgement) {
 Table fits_overview(const Refit& refit) {
   Table table{{}};
   if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
-  for (const auto parameter : refit.family->parameters) table.columns.emplace_back(parameter);
+  for (const std::string& parameter : refit.family->parameters) table.columns.emplace_back(parameter);
   for (const char* column :
        {"status", "digits", "rms error", "max abs error", "at c", "published", "verdict"}) {
     table.columns.emplace_back(column);
@@ -227,8 +227,8 @@ Table summary_table(const Results& results) {
   return table;
 }
 
-std::string target_of(const FittableFamily& family, const Surface& surface) {
-  const std::string formula = to_text(family.target());
+std::string target_of(const Family& family, const Surface& surface) {
+  const std::string formula = to_text(family.target);
   if (!surface.is_named()) return formula;
   const std::string index = surface.extinction == 0
                                 ? fmt::format("n = {}", surface.ior)
@@ -238,7 +238,7 @@ std::string target_of(const FittableFamily& family, const Surface& surface) {
 }
 
 std::string target_of(const Fit& fit) {
-  return target_of(*find_family(fit.family->id), fit.surface);
+  return target_of(*fit.family, fit.surface);
 }
 
 }  // namespace shadefit

@@ -36,6 +36,6 @@ Table summary_table(const Results& results);
 
 /// The target of a fit: the family's target, its surface, or the exact reflectance of the surface.
 std::string target_of(const Fit& fit);
-std::string target_of(const FittableFamily& family, const Surface& surface);
+std::string target_of(const Family& family, const Surface& surface);
 
 }  // namespace shadefit

@@ -60,7 +60,7 @@ std::string heading_of(const Comparison& comparison) {
 /// The target as mathematics. Fresnel's equations are not one line.
 std::string target_line(const Comparison& comparison) {
   if (comparison.setting.surface.is_exact()) return "";
-  return fmt::format("The target is ${}$.\n\n", to_latex(comparison.family->target()));
+  return fmt::format("The target is ${}$.\n\n", to_latex(comparison.family->target));
 }
 
 /// The table of a comparison, with its forms as mathematics.

@@ -25,14 +25,13 @@ std::string parameters_text(const FresnelLink& link) {
 /// "fresnel-quadratic-a", "fresnel-quadratic refitted", "schlick": the name of a curve for programs.
 std::string curve_id(const FresnelLink& link) {
   if (link.family == nullptr) return "schlick";
-  return link.published.empty() ? std::string(link.family->info.id) + " refitted"
-                                : std::string(link.published);
+  return link.published.empty() ? std::string(link.family->id) + " refitted" : std::string(link.published);
 }
 
 /// The name for people.
 std::string curve_text(const FresnelLink& link) {
   if (link.family == nullptr) return "Schlick's formula";
-  const std::string form = fmt::format("${}$", to_latex(link.family->form()));
+  const std::string form = fmt::format("${}$", to_latex(link.family->form));
   if (link.status != Status::converged) return fmt::format("{}, refitted: {}", form, name(link.status));
   return fmt::format("{}, {} {}", form,
                      link.published.empty() ? "refitted:" : "published:", parameters_text(link));
@@ -40,7 +39,7 @@ std::string curve_text(const FresnelLink& link) {
 
 /// "$2^{-A c}$ (A = 8.35)"
 std::string published_text(const FresnelLink& link) {
-  return fmt::format("${}$ ({})", to_latex(link.family->form()), parameters_text(link));
+  return fmt::format("${}$ ({})", to_latex(link.family->form), parameters_text(link));
 }
 
 std::string surface_text(const OpticalConstants& surface) {

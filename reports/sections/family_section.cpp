@@ -6,7 +6,9 @@
 #include <array>
 #include <optional>
 
-#include "approx/catalogue.hpp"
+#include "approx/lobe.hpp"
+#include "approx/phong_blinn.hpp"
+#include "fit/catalogue/family.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
@@ -32,7 +34,7 @@ std::vector<const Assessment*> assessments_of(const Refit& refit, const Publishe
 }
 
 std::string statement_text(const Published& published) {
-  if (published.convention.value != nullptr) {
+  if (published.convention.value) {
     return fmt::format("{} by the convention {}", published.parameter, published.convention.name);
   }
   switch (published.statement) {
@@ -85,7 +87,7 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
   } else if (judgement.objective == published.convention.name) {
     out += fmt::format("; not a best fit: its digits are those of the convention {}, {} = {}",
                        published.convention.name, published.convention.formula,
-                       number(published.convention.value()));
+                       number(*published.convention.value));
   } else {
     out += fmt::format("; the printed digits come out under the {} measure", judgement.objective);
   }
@@ -132,7 +134,7 @@ Table sweep_overview(const Refit& refit) {
 /// One row per measure.
 Table single_overview(const Refit& refit) {
   Table table{{"measure"}};
-  for (const std::string_view parameter : refit.family->parameters) table.columns.emplace_back(parameter);
+  for (const std::string& parameter : refit.family->parameters) table.columns.emplace_back(parameter);
   table.columns.insert(table.columns.end(), {"rms error", "max abs error", "max abs error at c",
                                              "max rel error", "max rel error at c", "digits"});
   for (const FitReport& report : refit.fits) {
@@ -169,8 +171,8 @@ std::string variants_section(const Refit& refit) {
 /// The law that was derived for a family under a measure, if one was.
 std::optional<ApproachLaw<double>> derived_law(const Refit& refit, Measure measure) {
   const auto expansion = peak_expansion(measure);
-  if (refit.family->info.id == sg_offset.id) return offset_law(expansion.p, expansion.w);
-  if (refit.family->info.id == phong_blinn.id) return factor_law(expansion.p);
+  if (refit.family->id == "sg-offset") return offset_law(expansion.p, expansion.w);
+  if (refit.family->id == "phong-blinn") return factor_law(expansion.p);
   return std::nullopt;
 }
 
@@ -230,14 +232,14 @@ std::string single_words(const Refit& refit) {
 }
 
 /// The two formulas as text and as mathematics, and the operations of a shader for each.
-Table formulas_table(const FittableFamily& family) {
+Table formulas_table(const Family& family) {
   Table table{{"", "formula", "typeset", "operations"}};
   const auto add = [&](const std::string& name, const Symbolic& formula) {
     table.rows.push_back({name, fmt::format("`{}`", to_text(formula)), fmt::format("${}$", to_latex(formula)),
                           to_text(count_operations(formula))});
   };
-  add("target", family.target());
-  add("form", family.form());
+  add("target", family.target);
+  add("form", family.form);
   return table;
 }
 
@@ -253,7 +255,7 @@ std::string figures_section(const std::vector<Figure>& figures, std::string_view
 }  // namespace
 
 std::string family_section(const Refit& refit, const std::vector<Figure>& figures) {
-  const Family& info = refit.family->info;
+  const Family& info = *refit.family;
   std::string out = fmt::format("## {} (`{}`)\n\n", info.title, info.id) +
                     markdown_block(formulas_table(*refit.family)) + fmt::format("{}.\n\n", info.variables);
   const bool all_converged =

@@ -86,11 +86,11 @@ Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bo
 }
 
 void add_forms_of_comparison(Table& list) {
-  for (const FittableFamily& family : fittable_families()) {
-    if (!family.info.is_comparison) continue;
-    std::vector<Cell> row{word(family.info.id), word("-"), word("none: a form to compare with")};
+  for (const Family& family : families()) {
+    if (!family.is_comparison) continue;
+    std::vector<Cell> row{word(family.id), word("-"), word("none: a form to compare with")};
     if (list.columns.size() == 4)
-      row.insert(row.begin() + 2, fmt::format("{} ~ {}", to_text(family.target()), to_text(family.form())));
+      row.insert(row.begin() + 2, fmt::format("{} ~ {}", to_text(family.target), to_text(family.form)));
     list.rows.push_back(row);
   }
 }

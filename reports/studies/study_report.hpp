@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/better/better_study.hpp"
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/io/files.hpp"
 #include "reports/table/writers.hpp"

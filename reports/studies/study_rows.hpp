@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 #include "fit/study/study_fit.hpp"
 #include "fit/verdicts/study_verdict.hpp"
 #include "reports/table/table.hpp"

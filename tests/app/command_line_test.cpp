@@ -9,7 +9,7 @@
 
 #include "app/studies/find_study.hpp"
 #include "approx/phong_blinn.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/support/sweep.hpp"
 #include "reports/findings/baseline.hpp"
@@ -204,10 +204,10 @@ TEST(ListCommand, NamesEveryClaimOnce) {
       EXPECT_EQ(parsed["constants"][claims++]["id"], claim.id);
     }
   }
-  for (const FittableFamily& family : fittable_families()) {
-    if (!family.info.is_comparison) continue;
-    expect_has(outcome.out, "\n" + std::string(family.info.id) + " ");
-    EXPECT_EQ(parsed["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
+  for (const Family& family : families()) {
+    if (!family.is_comparison) continue;
+    expect_has(outcome.out, "\n" + std::string(family.id) + " ");
+    EXPECT_EQ(parsed["constants"][claims++]["id"], family.id) << "forms of comparison follow the claims";
   }
   EXPECT_EQ(parsed["constants"].size(), claims + known_study_files(study_folders({})).size());
   EXPECT_EQ(parsed["constants"][0]["printed"], "x = 0.775") << "as printed, not as a number";
@@ -236,10 +236,7 @@ TEST(ListCommand, FiltersByVerdict) {
     for (const auto& row : parsed["constants"]) EXPECT_EQ(row["verdict"], name(verdict)) << row["id"];
     filtered += parsed["constants"].size();
   }
-  const auto families = fittable_families();
-  const auto comparisons = std::count_if(families.begin(), families.end(), [](const FittableFamily& family) {
-    return family.info.is_comparison;
-  });
+  const auto comparisons = std::ranges::count_if(families(), &Family::is_comparison);
   const auto all = nlohmann::json::parse(run_command_line({"list", "--json"}).out)["constants"].size();
   EXPECT_EQ(filtered + static_cast<std::size_t>(comparisons) + known_study_files(study_folders({})).size(),
             all)
@@ -315,7 +312,7 @@ TEST(RunCommand, OnlyTheFitsThatANumberNeeds) {
   EXPECT_EQ(k5_report.find("`sg-offset-mean`"), std::string::npos) << "another number of the family";
   EXPECT_EQ(fits_and_report("sg-offset-mean").first, 42U) << "k = 3 to 15 and the mean, three measures";
   EXPECT_EQ(fits_and_report("sg-offset-limit").first, 6U) << "k = 1e6 and the limit, three measures";
-  const auto sweep = static_cast<std::size_t>(parse_sweep(phong_blinn.sweep).size());
+  const auto sweep = static_cast<std::size_t>(parse_sweep(find_family("phong-blinn")->sweep).size());
   EXPECT_EQ(fits_and_report("phong-blinn-gotanda").first, 3 * (sweep + 1)) << "printed without its exponent";
 }
 

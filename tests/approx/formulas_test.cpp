@@ -37,14 +37,10 @@ TEST(Lobe, RobustFormsAreThePlainOnes) {
         const Decimal100 base = gaussian_lobe(C, K, Decimal100(0)), change = -X * Y;
         EXPECT_TRUE(is_close(where, Decimal50(difference), Decimal50(lobe_error(base, change, expm1(ratio))),
                              tolerance));
-        EXPECT_TRUE(is_close(where, Decimal50(difference / power_lobe(C, K)),
-                             Decimal50(lobe_relative_error(change, ratio)), tolerance));
         const Decimal100 A("1.0625");
         const Decimal100 scaled = scaled_gaussian_lobe(C, K, A, X) - power_lobe(C, K);
         EXPECT_TRUE(is_close(where, Decimal50(scaled),
                              Decimal50(scaled_lobe_error(base, A, change, expm1(ratio))), tolerance));
-        EXPECT_TRUE(is_close(where, Decimal50(scaled / power_lobe(C, K)),
-                             Decimal50(scaled_lobe_relative_error(A, change, ratio)), tolerance));
       }
     }
   }
@@ -69,8 +65,6 @@ TEST(PhongBlinn, RobustFormsAreThePlainOnes) {
         // right to the rounding of the base; form and target may both be nearly zero
         EXPECT_TRUE(is_close(where, Decimal50(1 + difference / base),
                              Decimal50(1 + lobe_error(base, change, expm1(ratio)) / base), tolerance));
-        EXPECT_TRUE(is_close(where, Decimal50(difference / power_lobe(C, K)),
-                             Decimal50(lobe_relative_error(change, ratio)), tolerance));
       }
     }
   }
@@ -139,8 +133,6 @@ TEST(Fresnel, Landmarks) {
   // Lagarde 2012: 0.003 and 0.000168 at c = 1
   EXPECT_NEAR(fresnel_one_term(1.0, 8.35), 0.003, 0.0005);
   EXPECT_NEAR(fresnel_quadratic(1.0, -5.55473, -6.98316), 0.000168, 0.0000005);
-  EXPECT_TRUE(
-      is_close("6/ln 2", 6 / log(Decimal50(2)), one_term_sharpness_at_offset_one<Decimal50>(), 1e-48));
 }
 
 // Born and Wolf 1999: the landmarks of Fresnel's equations.

@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 
-#include "approx/catalogue.hpp"
-#include "fit/fit.hpp"
+#include "approx/normalisation.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/verdicts/refit.hpp"
 #include "fit/verdicts/verdict.hpp"
@@ -19,7 +19,7 @@ TEST(Records, HaveUniqueIdsAndSources) {
     EXPECT_FALSE(source.author.empty() || source.title.empty() || source.place.empty()) << id;
     EXPECT_GT(source.year, 1900) << id;
   };
-  for (const Published& record : published_constants) {
+  for (const Published& record : published_constants()) {
     EXPECT_TRUE(ids.insert(record.id).second) << record.id << " stands twice";
     check_source(record.id, record.source);
   }
@@ -31,8 +31,8 @@ TEST(Records, HaveUniqueIdsAndSources) {
 }
 
 TEST(Records, PublishedConstantsBelongToFamilies) {
-  for (const Published& record : published_constants) {
-    const FittableFamily* family = find_family(record.family);
+  for (const Published& record : published_constants()) {
+    const Family* family = find_family(record.family);
     ASSERT_NE(family, nullptr) << record.id;
     EXPECT_EQ(std::count(family->parameters.begin(), family->parameters.end(), record.parameter), 1)
         << record.id;
@@ -49,7 +49,7 @@ TEST(Records, PublishedConstantsBelongToFamilies) {
 
 TEST(Records, VariantsAreWrongCopies) {
   int variants = 0;
-  for (const Published& record : published_constants) {
+  for (const Published& record : published_constants()) {
     for (const Variant& variant : record.variants) {
       ++variants;
       EXPECT_NE(constant<double>(variant.printed), constant<double>(record.printed)) << variant.printed;
@@ -61,18 +61,18 @@ TEST(Records, VariantsAreWrongCopies) {
 
 TEST(Records, ConventionsGiveTheirPrintedDigits) {
   int conventions = 0;
-  for (const Published& record : published_constants) {
-    if (record.convention.value == nullptr) continue;
+  for (const Published& record : published_constants()) {
+    if (!record.convention.value) continue;
     ++conventions;
-    EXPECT_EQ(units_off(record.printed, record.convention.value()), 0) << record.id;
+    EXPECT_EQ(units_off(record.printed, *record.convention.value), 0) << record.id;
   }
   EXPECT_EQ(conventions, 1);
 }
 
 TEST(Records, FamilySweepsAreReadable) {
-  for (const FittableFamily& family : fittable_families()) {
+  for (const Family& family : families()) {
     if (family.has_exponent()) {
-      EXPECT_FALSE(parse_sweep(family.info.sweep).empty()) << family.info.id;
+      EXPECT_FALSE(parse_sweep(family.sweep).empty()) << family.id;
     }
   }
   EXPECT_EQ(find_family("no-such-family"), nullptr);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options/study_options.hpp"
+#include "fit/catalogue/study_parts.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/study_objectives.hpp"
 #include "reports/io/csv.hpp"

@@ -333,7 +333,8 @@ double Problem::error_at(const Node& node, const std::vector<double>& p) const {
 
 double Problem::distance_to_pole(const std::vector<double>& p) const {
   if (drawn_.family != "fresnel-rational") return 1;
-  return std::min(1 + p[0] * drawn_.lower, 1 + p[0] * drawn_.upper);
+  const double low = 1 + p[0] * drawn_.lower, high = 1 + p[0] * drawn_.upper;
+  return low * high > 0 ? std::min(std::abs(low), std::abs(high)) : -1;
 }
 
 double Problem::objective(const std::vector<double>& p) const {

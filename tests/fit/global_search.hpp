@@ -40,7 +40,8 @@ class Problem {
   /// The same with the largest magnitude between the nodes.
   double refined_objective(const std::vector<double>& parameters) const;
 
-  /// The least value of the form's denominator over the domain; 1 for a form without one.
+  /// The least magnitude of the form's denominator over the domain, negative with a pole inside; 1 for a form
+  /// without one.
   double distance_to_pole(const std::vector<double>& parameters) const;
 
   const Drawn& drawn() const { return drawn_; }

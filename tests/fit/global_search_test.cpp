@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 
 namespace shadefit {
 namespace {
@@ -49,12 +49,12 @@ constexpr double rounding = 1e-14;
 class GlobalSearch : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(GlobalSearch, FindsNothingBetterThanWhatIsCalledConverged) {
-  const FittableFamily& family = *find_family(GetParam());
+  const Family& family = *find_family(GetParam());
   const char* asked = std::getenv("SHADEFIT_SEARCH_SETTINGS");
   const int settings = asked != nullptr ? std::stoi(asked) : 50;
   std::map<std::string_view, int> ends;
   for (int i = 0; i < settings; ++i) {
-    const Drawn drawn = search::draw(family.info.id, i);
+    const Drawn drawn = search::draw(family.id, i);
     const std::string what = search::command_of(drawn);
     const Fit fit = family.fit(setting_of(drawn), metric_of(drawn));
     ++ends[name(fit.status)];
@@ -82,14 +82,14 @@ TEST_P(GlobalSearch, FindsNothingBetterThanWhatIsCalledConverged) {
     EXPECT_LE(fit.rms_error, largest * (1 + 1e-9) + rounding) << what;
   }
   if (asked == nullptr) return;
-  std::cout << family.info.id << ":";
+  std::cout << family.id << ":";
   for (const auto& [end, count] : ends) std::cout << " " << count << " " << end;
   std::cout << "\n";
 }
 
 std::vector<std::string_view> all_families() {
   std::vector<std::string_view> ids;
-  for (const FittableFamily& family : fittable_families()) ids.push_back(family.info.id);
+  for (const Family& family : families()) ids.push_back(family.id);
   return ids;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/quadrature/integrate.hpp"
 
 // The fits of families with a weight on the error.
@@ -99,7 +99,7 @@ TEST(WeightedFit, MinimaxIsLevelEverywhere) {
 // in the units of the weight.
 TEST(WeightedFit, AConstantFactorChangesNothing) {
   for (const std::string_view id : {"fresnel-quadratic", "sg-offset", "fresnel-rational", "sg-scaled"}) {
-    const FittableFamily& family = *find_family(id);
+    const Family& family = *find_family(id);
     const Setting setting(family.has_exponent() ? 37.5 : 0);
     for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
       for (const Error error : {Error::absolute, Error::relative}) {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/studies/find_study.hpp"
+#include "fit/catalogue/read_study_file.hpp"
 #include "fit/support/user_error.hpp"
 
 // One input is a study in TOML: read, and then each of its forms, for the first of the given constants.
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Study study = file.study;
     for (const auto& [name, values] : file.given) study.given.emplace(name, values.front());
     for (const StudyForm& form : file.forms) {
-      study.form = form.formula;
+      take_form(study, form);
       read_study(study);
     }
   } catch (const UserError&) {

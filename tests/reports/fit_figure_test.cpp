@@ -11,7 +11,7 @@ namespace shadefit {
 namespace {
 
 Refit fitted(const char* id, const std::vector<Setting>& settings, const Metric& metric) {
-  const FittableFamily& family = *find_family(id);
+  const Family& family = *find_family(id);
   FitCache fits(family);
   return {&family, {}, fit_and_assess(fits, settings, std::array{metric}), {}};
 }

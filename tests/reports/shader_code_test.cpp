@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
@@ -39,7 +39,7 @@ ShaderFunction fresnel_pair() {
   const auto value_of = [](const std::string& name) {
     return name == "a" ? number_of("-5.55473") : name == "b" ? number_of("-6.98316") : variable("c");
   };
-  return {"fresnel", {"c"}, evaluate<Symbolic>(find_family("fresnel-quadratic")->form(), value_of)};
+  return {"fresnel", {"c"}, evaluate<Symbolic>(find_family("fresnel-quadratic")->form, value_of)};
 }
 
 /// Everything that a shading language has, with a part that is used twice, a choice and whole powers.

@@ -6,7 +6,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/normalisation.hpp"
 #include "bench/peers/tasks/shadefit_tasks.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/integrals/normalisation_check.hpp"
 #include "fit/study_proof/family_subject.hpp"
 #include "fit/study_squares/prepared_study.hpp"
@@ -24,8 +24,8 @@ Answer minimax(Error error) {
 }
 
 /// The records of the published pair.
-constexpr const shadefit::Published& published_a = shadefit::fresnel_published[2];
-constexpr const shadefit::Published& published_b = shadefit::fresnel_published[3];
+const shadefit::Published& published_a = *shadefit::find_published("fresnel-quadratic-a");
+const shadefit::Published& published_b = *shadefit::find_published("fresnel-quadratic-b");
 
 Answer search() {
   const std::array published{shadefit::constant<double>(published_a.printed),

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace {

@@ -8,9 +8,8 @@
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
 #include "approx/lobe_laws.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/families/families.hpp"
-#include "fit/fit.hpp"
 #include "fit/ledger/where.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/root.hpp"
@@ -26,26 +25,30 @@ double blunt_slope(Measure measure) {
 
 /// The substitution for an extremum: all cosines, scaled to the lobe.
 Substitution places(double exponent) {
-  return {Metric{}, SgOffset{{exponent}}.shape()};
+  return {Metric{}, {.concentration = 2 * exponent, .end_power = exponent}};
 }
 
 /// The Gaussian, and c^k, as functions of the cosine in any scalar; their difference without cancellation.
 auto gaussian(double exponent, double offset) {
-  return [family = SgOffset{{exponent}}, offset]<class T>(const Cosine<T>& c) {
-    return family.form(family.sample(c), std::array{lift<T>(offset)});
+  return [=]<class T>(const Cosine<T>& c) {
+    return gaussian_lobe_near_peak(c.one_minus_cos, lift<T>(exponent), lift<T>(offset));
   };
 }
 
 auto target(double exponent) {
-  return [family = SgOffset{{exponent}}]<class T>(const Cosine<T>& c) {
-    const auto sample = family.sample(c);
-    return T(sample.base * exp(sample.log_ratio));
+  return [=]<class T>(const Cosine<T>& c) {
+    const T k = lift<T>(exponent);
+    return T(gaussian_lobe_near_peak(c.one_minus_cos, k, integer<T>(0)) *
+             exp(lobe_log_ratio(c.cos_theta, c.one_minus_cos, k)));
   };
 }
 
 auto error(double exponent, double offset) {
-  return [family = SgOffset{{exponent}}, offset]<class T>(const Cosine<T>& c) {
-    return family.error(family.sample(c), std::array{lift<T>(offset)});
+  return [=]<class T>(const Cosine<T>& c) {
+    const T k = lift<T>(exponent);
+    return lobe_error(gaussian_lobe_near_peak(c.one_minus_cos, k, integer<T>(0)),
+                      T(-(lift<T>(offset) * c.one_minus_cos)),
+                      T(expm1(lobe_log_ratio(c.cos_theta, c.one_minus_cos, k))));
   };
 }
 
@@ -121,7 +124,7 @@ double largest_offset_codes(double exponent, double offset, double other) {
 }
 
 std::optional<double> best_offset(double exponent, Measure measure) {
-  const Fit optimum = find_family(sg_offset.id)->fit(exponent, {.measure = measure});
+  const Fit optimum = find_family("sg-offset")->fit(exponent, {.measure = measure});
   return optimum.status == Status::converged ? std::optional(optimum.parameters[0]) : std::nullopt;
 }
 

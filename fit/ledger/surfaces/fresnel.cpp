@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studies/find_study.hpp"
+#include "fit/catalogue/read_study_file.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/app/refusal.hpp"

@@ -26,13 +26,10 @@ void lobe_formulas(const Visit& visit) {
   visit(Formula{OF(lobe_log_ratio),
                 Lobes{{"0.875", "0.125", "5"}, {"0.25", "0.75", "8"}, {"0.5", "0.5", "0.5"}}, 16});
   visit(Formula{OF(lobe_error), Lobes{{"0.5", "-0.125", "-0.0625"}, {"0.25", "-0.5", "-0.25"}}, 32});
-  visit(Formula{OF(lobe_relative_error), Lobes{{"-0.125", "-0.0625"}, {"-0.5", "-1"}}, 32});
   visit(Formula{OF(scaled_gaussian_lobe), Lobes{{"0.875", "5", "1.125", "0.75"}, {"0.75", "8", "0.875", "0"}},
                 16});
   visit(Formula{OF(scaled_lobe_error),
                 Lobes{{"0.5", "1.125", "-0.125", "-0.0625"}, {"0.25", "0.875", "-0.5", "-0.25"}}, 64});
-  visit(Formula{OF(scaled_lobe_relative_error),
-                Lobes{{"1.125", "-0.125", "-0.0625"}, {"0.875", "-0.5", "-1"}}, 64});
   visit(Formula{CONSTANT(gaussian_error_ratio), 4});
   visit(Formula{PART_OF(factor_law, slope), Lobes{{"1"}, {"0.5"}}, 4});
   visit(Formula{PART_OF(offset_law, limit), Lobes{{"1", "0"}, {"0.5", "0.25"}}, 4});

@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <string_view>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/study_squares/prepared_study.hpp"
 
-/// Refits the Fresnel pair twice: the family, and a study from text. Exits with 1 unless both give the
+/// Refits the Fresnel pair twice: by its name, and as a study from text. Exits with 1 unless both give the
 /// published a = -5.55473.
 int main() {
   const shadefit::Fit family = shadefit::find_family("fresnel-quadratic")->fit({}, {});

@@ -12,6 +12,7 @@
 #include "fit/proof/bound_width.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/verdicts/fresnel_chain.hpp"
 #include "reports/code/shader_code.hpp"
 
 namespace shadefit {
@@ -94,14 +95,14 @@ TEST(Better, CountsWhatIsEmitted) {
     const Comparison comparison = compare("sg-offset", exponent, {.width = 1e-6});
     for (const Contender& contender : comparison.contenders) {
       if (contender.family.empty()) continue;
-      const FittableFamily& family = *find_family(contender.family);
+      const Family& family = *find_family(contender.family);
       const auto value_of = [&](const std::string& name) {
         if (name == "c") return Symbolic::variable(name);
         const double value = name == "k" ? exponent : contender.values[parameter_index(family, name)];
         return Symbolic::number(to_text(value));
       };
       const Symbolic emitted =
-          as_generated(evaluate<Symbolic>(family.form(), value_of), ShaderPrecision::float32);
+          as_generated(evaluate<Symbolic>(family.form, value_of), ShaderPrecision::float32);
       EXPECT_EQ(contender.operations, count_operations(emitted)) << to_text(emitted);
     }
     const auto count = [&](std::string_view family, std::string_view origin) {
@@ -158,7 +159,7 @@ TEST(Better, NoPlaceIsAboveTheBound) {
 // chain of the report says by a search.
 TEST(Better, SchlickIsAContenderOnASurface) {
   const Contender& schlick = find(glass_forms(), "", "schlick");
-  const ReflectanceError sampled = schlick_against_exact(1.5);
+  const ReflectanceError sampled = reflectance_error(exact_surface(1.5), "schlick_weight(c)");
   EXPECT_NEAR(schlick.max_abs_error.lower / sampled.absolute.magnitude, 1, 1e-6);
   EXPECT_NEAR(*schlick.max_rel_error / sampled.relative.magnitude, 1, 1e-12);
   EXPECT_NEAR(schlick.max_abs_error.upper, 0.0357, 1e-4);

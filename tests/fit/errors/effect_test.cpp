@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 
 namespace shadefit {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "tests/accuracy.hpp"
 
 namespace shadefit {
@@ -61,12 +61,13 @@ TEST(Extremum, PublishedFresnelPair) {
   const auto found = find_family("fresnel-quadratic")->max_abs_error(0, {}, pair);
   // the error is a difference of numbers near 0.75: 1e-16 of them is 3e-14 of it
   EXPECT_TRUE(is_close("pair", Decimal50("3.7664127395073188128e-3"), found.magnitude, 1e-13));
-  EXPECT_NEAR(found.at.cos_theta, 0.055357167992283370342, 1e-12);
+  // a maximum has half of the digits of a double, and a parabola through values beside it two more
+  EXPECT_NEAR(found.at.cos_theta, 0.055357167992283370342, 1e-9);
 }
 
 // Against a dense scan, at the extremes of the promise.
 TEST(Extremum, IsTheLargestOfADenseScan) {
-  const FittableFamily& family = *find_family("sg-offset");
+  const Family& family = *find_family("sg-offset");
   for (const double k : {0.1, 1.0, 5.0, 100.0, 1e6}) {
     const Fit fit = family.fit(k, {});
     double largest = 0;

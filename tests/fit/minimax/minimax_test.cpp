@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
 #include "reports/io/csv.hpp"
@@ -43,7 +43,7 @@ TEST(Minimax, HasThirteenDigitsOfEveryReference) {
   const auto rows = parse_csv(read_file(file), "minimax.csv").rows;
   EXPECT_EQ(rows.size(), 109U);
   for (const auto& row : rows) {
-    const FittableFamily& family = *find_family(row[0]);
+    const Family& family = *find_family(row[0]);
     const Fit fit = family.fit(parse_number(row[2]).value_or(0), metric_of(row[3], row[4]));
     const std::string what = row[0] + " " + row[1] + " " + row[2] + " " + row[3] + " " + row[4];
     ASSERT_EQ(fit.status, Status::converged) << what << ": " << fit.why;
@@ -56,12 +56,12 @@ TEST(Minimax, HasThirteenDigitsOfEveryReference) {
 
 // n + 1 places with equal magnitude and alternating signs, and no larger error.
 TEST(Minimax, TheErrorAlternates) {
-  for (const FittableFamily& family : fittable_families()) {
+  for (const Family& family : families()) {
     for (const Error error : {Error::absolute, Error::relative}) {
       for (const double exponent : {0.5, 5.0, 37.5, 1e4}) {
         if (!family.has_exponent() && exponent != 5) continue;
         const Fit fit = family.fit(exponent, minimax(error));
-        const std::string what = std::string(family.info.id) + " " + std::string(name(error)) + " " +
+        const std::string what = std::string(family.id) + " " + std::string(name(error)) + " " +
                                  std::to_string(exponent) + " " + fit.why;
         ASSERT_EQ(fit.status, Status::converged) << what;
         EXPECT_EQ(fit.alternation.size(), family.parameters.size() + 1) << what;
@@ -88,18 +88,18 @@ TEST(Minimax, TheErrorAlternates) {
 }
 
 TEST(Minimax, BeatsLeastSquaresInItsOwnNormAlone) {
-  for (const FittableFamily& family : fittable_families()) {
+  for (const Family& family : families()) {
     const Fit least_squares = family.fit(5, {}), least_level = family.fit(5, minimax());
-    EXPECT_LT(*least_level.level, least_squares.max_abs_error.magnitude) << family.info.id;
-    EXPECT_GT(least_level.rms_error, least_squares.rms_error) << family.info.id;
-    EXPECT_LT(least_level.rms_error, *least_level.level) << family.info.id;
+    EXPECT_LT(*least_level.level, least_squares.max_abs_error.magnitude) << family.id;
+    EXPECT_GT(least_level.rms_error, least_squares.rms_error) << family.id;
+    EXPECT_LT(least_level.rms_error, *least_level.level) << family.id;
   }
 }
 
 TEST(Minimax, TheMeasureHasNoInfluence) {
   Metric angle = minimax();
   angle.measure = Measure::angle;
-  const FittableFamily& family = *find_family("fresnel-quadratic");
+  const Family& family = *find_family("fresnel-quadratic");
   const Fit by_cosine = family.fit({}, minimax()), by_angle = family.fit({}, angle);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_TRUE(
@@ -110,7 +110,7 @@ TEST(Minimax, TheMeasureHasNoInfluence) {
 
 // An exact end, and bounds far from the optimum, change nothing. An active bound is met with equality.
 TEST(Minimax, Constraints) {
-  const FittableFamily& family = *find_family("fresnel-quadratic");
+  const Family& family = *find_family("fresnel-quadratic");
   const Fit free = family.fit({}, minimax());
   Metric idle = minimax();
   idle.constraints = {.exact_at = {0}, .at_most = 1, .at_least = 0};
@@ -145,7 +145,7 @@ TEST(Minimax, Constraints) {
 // The error of a sharp lobe is (x - 4) of the size of 1/k: steps far below 4 still count. As k grows, k level
 // and k (x - 4) have limits.
 TEST(Minimax, SmallStepsBesideALargeParameterCount) {
-  const FittableFamily& blinn = *find_family("phong-blinn");
+  const Family& blinn = *find_family("phong-blinn");
   const double level = 0.0628340625, off = 1.3254868;
   for (const double k : {1e7, 1e8, 1e10}) {
     const Fit fit = blinn.fit(k, minimax());
@@ -254,7 +254,7 @@ TEST(Minimax, EndsWithAStatusWhateverIsAsked) {
 
 TEST(LeastSquares, RelativeWeightedAndHeld) {
   // With b held at the free optimum's the other parameter is the free optimum's.
-  const FittableFamily& family = *find_family("fresnel-quadratic");
+  const Family& family = *find_family("fresnel-quadratic");
   const Fit free = family.fit({}, {});
   const Fit held = family.fit({}, {.constraints = {.held = {{"b", free.parameters[1]}}}});
   ASSERT_EQ(held.status, Status::converged);

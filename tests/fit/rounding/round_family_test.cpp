@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/families/families.hpp"
+#include "approx/fresnel.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/end_arithmetics.hpp"
 #include "fit/scalars/narrow_result.hpp"
@@ -26,31 +26,24 @@ Fit fit_of(std::string_view family, double exponent = 0, const Domain& domain = 
   return find_family(family)->fit({exponent}, {.domain = domain});
 }
 
-/// The exponent of a lobe; for other families an arbitrary number that no formula uses.
-template <class F>
-double exponent_of(const F& family) {
-  if constexpr (requires { family.exponent; }) {
-    return family.exponent;
-  } else {
-    return 0;
-  }
-}
+constexpr auto quadratic = [](const auto& c, const auto& p) { return fresnel_quadratic(c, p[0], p[1]); };
+constexpr auto one_term = [](const auto& c, const auto& p) { return fresnel_one_term(c, p[0]); };
 
-/// The largest error in a narrow format over all inputs by a plain loop; stops beyond `limit`.
-template <class Format, class F>
-double error_in(const F& family, const std::array<double, F::parameters.size()>& p, double limit) {
+/// The largest error of a Fresnel form in a narrow format over all inputs by a plain loop; stops beyond
+/// `limit`.
+template <class Format, class Form, std::size_t N>
+double error_in(const Form& form_of, const std::array<double, N>& p, double limit) {
   using T = NarrowResult<Format>;
-  std::array<T, F::parameters.size()> q;
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = T(p[i]);
+  std::array<T, N> q;
+  for (std::size_t i = 0; i < N; ++i) q[i] = T(p[i]);
   const BinaryLattice<Format> lattice;
   const std::int64_t count = lattice.nearest(1) + 1;
   double worst = 0;
   constexpr std::int64_t stride = 3571;  // prime: far apart, so that a bad constant is soon seen
   for (std::int64_t i = 0; i < count && worst <= limit; ++i) {
     const double c = lattice.value(i * stride % count);
-    const auto form = static_cast<double>(F::form_of(T(c), T(exponent_of(family)), q));
-    const double target = F::target_of(c, exponent_of(family));
-    worst = std::isnan(form) ? unbounded : std::max(worst, std::abs(form - target));
+    const auto form = static_cast<double>(form_of(T(c), q));
+    worst = std::isnan(form) ? unbounded : std::max(worst, std::abs(form - schlick_weight(c)));
   }
   return worst;
 }
@@ -82,7 +75,7 @@ TEST(Rounding, QuadraticInHalf) {
   EXPECT_NEAR(rounded.best.max_error, 0.0035796, 5e-8);
   EXPECT_EQ(rounded.naive.texts, (std::vector<std::string>{"-5.555", "-6.984"}));
   EXPECT_NEAR(rounded.naive.max_error, 0.0040267, 5e-8);
-  EXPECT_EQ(rounded.best.max_error, error_in<HalfFormat>(FresnelQuadratic{}, {-0x1.5f8p+2, -0x1.c08p+2}, 1));
+  EXPECT_EQ(rounded.best.max_error, error_in<HalfFormat>(quadratic, std::array{-0x1.5f8p+2, -0x1.c08p+2}, 1));
   EXPECT_FALSE(rounded.best.real_error.has_value());
   EXPECT_NEAR(*rounded.best.srgb_codes, 8, 0.1);
 }
@@ -91,9 +84,9 @@ TEST(Rounding, QuadraticInHalf) {
 TEST(Rounding, BestOfAllHalvesByBruteForce) {
   const RoundedStudy rounded = round_fit(fit_of("fresnel-one-term"), half_format, {});
   const BinaryLattice<HalfFormat> lattice;
-  double best = error_in<HalfFormat>(FresnelOneTerm{}, {8.35}, 1);  // a start that most fail against early
+  double best = error_in<HalfFormat>(one_term, std::array{8.35}, 1);  // a start that most fail against early
   for (std::int64_t i = -lattice.last(); i <= lattice.last(); ++i)
-    best = std::min(best, error_in<HalfFormat>(FresnelOneTerm{}, {lattice.value(i)}, best));
+    best = std::min(best, error_in<HalfFormat>(one_term, std::array{lattice.value(i)}, best));
   EXPECT_EQ(rounded.best.max_error, best);
 }
 
@@ -111,8 +104,8 @@ TEST(Rounding, MutationsAreNoBetter) {
         };
         const double error =
             format == half_format
-                ? error_in<HalfFormat>(FresnelQuadratic{}, moved(BinaryLattice<HalfFormat>{}), 1)
-                : error_in<Bfloat16Format>(FresnelQuadratic{}, moved(BinaryLattice<Bfloat16Format>{}), 1);
+                ? error_in<HalfFormat>(quadratic, moved(BinaryLattice<HalfFormat>{}), 1)
+                : error_in<Bfloat16Format>(quadratic, moved(BinaryLattice<Bfloat16Format>{}), 1);
         EXPECT_GE(error, rounded.best.max_error);
         changed += error > rounded.best.max_error ? 1 : 0;
       }
@@ -180,7 +173,7 @@ TEST(Rounding, GivenParametersStay) {
   const BinaryLattice<HalfFormat> lattice;
   double best = rounded.naive.max_error;
   for (std::int64_t i = lattice.nearest(-8); i <= lattice.nearest(-3); ++i)
-    best = std::min(best, error_in<HalfFormat>(FresnelQuadratic{}, {lattice.value(i), -7}, best));
+    best = std::min(best, error_in<HalfFormat>(quadratic, std::array{lattice.value(i), -7.0}, best));
   EXPECT_EQ(rounded.best.max_error, best);
 }
 

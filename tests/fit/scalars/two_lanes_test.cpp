@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "fit/errors/ulps.hpp"
-#include "fit/families/families.hpp"
 
 namespace shadefit {
 namespace {

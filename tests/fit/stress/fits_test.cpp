@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/catalogue_study.hpp"
-#include "fit/family_visit.hpp"
+#include "fit/catalogue/catalogue_study.hpp"
 #include "fit/stress/numbers.hpp"
 #include "fit/study_squares/prepared_study.hpp"
 
@@ -21,25 +20,23 @@ TEST(FitsUnderStress, DoNotDependOnTheirStarts) {
   int converged = 0;
   for (const Fit& own : fits_under_stress(keep_going)) {
     const Domain& domain = own.metric.domain;
-    PreparedStudy study(study_of(own.family->id, setting_of(own), own.metric,
-                                 {domain.upper, 1 - domain.upper}, {domain.lower, 1 - domain.lower}));
-    visit_family(own.family->id, [&]<class F>(std::type_identity<F>) {
-      const auto box = make_family<F>(setting_of(own)).starts();
-      for (int fit = 0; fit < 12; ++fit) {
-        std::vector<double> start;
-        for (std::size_t i = 0; i < F::parameters.size(); ++i) {
-          const auto [low, high] = std::minmax({box[0][i], box[1][i], box[2][i]});
-          start.push_back((low + high) / 2 + 2 * (high - low) * sequence.between(-1, 1));
-        }
-        const StudyFit found = study.fit(start);
-        if (found.status != Status::converged || own.status != Status::converged) continue;
-        ++converged;
-        EXPECT_NE(found.parameters, start) << own.family->id;
-        for (std::size_t i = 0; i < start.size(); ++i)
-          EXPECT_NEAR(found.parameters[i], own.parameters[i], same_answer * std::abs(own.parameters[i]))
-              << own.family->id << " of exponent " << own.exponent.value_or(0) << " on " << to_text(domain);
+    const auto ends = ends_of(*own.family, setting_of(own), domain, Error::absolute);
+    PreparedStudy study(study_of(*own.family, setting_of(own), own.metric, ends.value()));
+    const auto box = own.family->starts_of(setting_of(own));
+    for (int fit = 0; fit < 12; ++fit) {
+      std::vector<double> start;
+      for (std::size_t i = 0; i < own.parameters.size(); ++i) {
+        const auto [low, high] = std::minmax({box[0][i], box[1][i], box[2][i]});
+        start.push_back((low + high) / 2 + 2 * (high - low) * sequence.between(-1, 1));
       }
-    });
+      const StudyFit found = study.fit(start);
+      if (found.status != Status::converged || own.status != Status::converged) continue;
+      ++converged;
+      EXPECT_NE(found.parameters, start) << own.family->id;
+      for (std::size_t i = 0; i < start.size(); ++i)
+        EXPECT_NEAR(found.parameters[i], own.parameters[i], same_answer * std::abs(own.parameters[i]))
+            << own.family->id << " of exponent " << own.exponent.value_or(0) << " on " << to_text(domain);
+    }
   }
   EXPECT_GE(converged, 450);
 }

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_squares/solve_study.hpp"
 #include "fit/support/format.hpp"
@@ -137,15 +137,15 @@ TEST(Study, FindsWhatIsKnown) {
 }
 
 /// A built-in family as a study.
-Study study_of(const FittableFamily& family, double exponent) {
+Study study_of(const Family& family, double exponent) {
   const auto text = [&](const Symbolic& formula) { return to_text(formula); };
-  Study study{.target = text(family.target()), .form = text(family.form()), .over = {{"c", "0", "1"}}};
+  Study study{.target = text(family.target), .form = text(family.form), .over = {{"c", "0", "1"}}};
   if (family.has_exponent()) study.given = {{"k", to_text(exponent)}};
   return study;
 }
 
 /// The exponents at which a family is compared.
-std::vector<double> exponents_of(const FittableFamily& family, const std::vector<double>& exponents) {
+std::vector<double> exponents_of(const Family& family, const std::vector<double>& exponents) {
   return family.has_exponent() ? exponents : std::vector<double>{0};
 }
 
@@ -174,26 +174,26 @@ StudyFit fit_of(const Study& study, Norm norm) {
 }
 
 /// Compares what both say with the digits that both claim: each may be wrong by one of the last.
-void expect_same(const FittableFamily& family, double exponent, const Fit& expected, const StudyFit& fit) {
+void expect_same(const Family& family, double exponent, const Fit& expected, const StudyFit& fit) {
   const int digits = std::min(fit.digits, expected.digits);
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     const double value = expected.parameters[parameter_index(family, fit.names[i])];
     EXPECT_NEAR(fit.parameters[i] / value, 1, 2 * std::pow(10.0, -digits))
-        << family.info.id << " at " << to_text(exponent) << ", " << fit.names[i] << ": expected "
-        << to_text(value) << ", computed " << to_text(fit.parameters[i]) << ", digits " << expected.digits
-        << " and " << fit.digits;
+        << family.id << " at " << to_text(exponent) << ", " << fit.names[i] << ": expected " << to_text(value)
+        << ", computed " << to_text(fit.parameters[i]) << ", digits " << expected.digits << " and "
+        << fit.digits;
   }
 }
 
 // Both worlds are one: a family's own formulas, given as text, have the family's constants.
 TEST(Study, HasTheConstantsOfEveryFamily) {
   for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
-    for (const FittableFamily& family : fittable_families()) {
+    for (const Family& family : families()) {
       for (const double exponent : exponents_of(family, {3, 7.5, 15, 100, 1000})) {
         const Fit expected = family.fit(Setting(exponent), Metric{.norm = norm});
         if (expected.status != Status::converged) continue;
         const StudyFit fit = fit_of(study_of(family, exponent), norm);
-        const std::string what = std::string(family.info.id) + " at " + to_text(exponent);
+        const std::string what = std::string(family.id) + " at " + to_text(exponent);
         ASSERT_EQ(name(fit.status), "converged") << what << ": " << fit.why;
         expect_same(family, exponent, expected, fit);
         // A lobe of exponent 1000 loses 3 digits: c^k amplifies the rounding of c.
@@ -211,7 +211,7 @@ TEST(Study, HasTheConstantsOfEveryFamily) {
 // Text knows no substitution for a lobe. Where it loses digits, it says so.
 TEST(Study, ClaimsNoDigitThatIsWrongAtLargeExponents) {
   for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
-    for (const FittableFamily& family : fittable_families()) {
+    for (const Family& family : families()) {
       if (!family.has_exponent()) continue;
       for (const double exponent : {1e4, 1e5, 1e6, 1e8}) {
         const Fit expected = family.fit(Setting(exponent), Metric{.norm = norm});

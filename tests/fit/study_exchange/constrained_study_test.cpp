@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study_exchange/minimax_study.hpp"

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "approx/catalogue.hpp"
+#include "approx/phong_blinn.hpp"
+#include "fit/catalogue/family.hpp"
 
 namespace shadefit {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 const std::array cosine_and_angle{Metric{.measure = Measure::cosine}, Metric{.measure = Measure::angle}};
 
 const Published& published_with(std::string_view id) {
-  return *std::ranges::find(published_constants, id, &Published::id);
+  return *find_published(id);
 }
 
 struct Expected {
@@ -37,9 +38,9 @@ TEST(Assess, PublishedNumbersUnderBothMeasures) {
       {"phong-blinn-fisher-woo", Verdict::confirmed, "cosine", Verdict::confirmed, "angle"},
       {"phong-blinn-gotanda", Verdict::conditional, "cosine", Verdict::conditional, "angle"},
   };
-  ASSERT_EQ(std::size(expected), published_constants.size());
-  for (std::size_t i = 0; i < published_constants.size(); ++i) {
-    const Published& published = published_constants[i];
+  ASSERT_EQ(std::size(expected), published_constants().size());
+  for (std::size_t i = 0; i < published_constants().size(); ++i) {
+    const Published& published = published_constants()[i];
     ASSERT_EQ(published.id, expected[i].id);
     FitCache fits(*find_family(published.family));
     const auto cosine = assess(fits, published, {.measure = Measure::cosine})->judgement;
@@ -54,7 +55,7 @@ TEST(Assess, PublishedNumbersUnderBothMeasures) {
 // Every printed digit, changed to every other one, changes the verdict.
 TEST(Assess, EachPublishedDigitChangedChangesTheVerdict) {
   int mutations = 0;
-  for (const Published& published : published_constants) {
+  for (const Published& published : published_constants()) {
     if (published.statement == Statement::fit_somewhere)
       continue;  // its digits move its range: the next test
     FitCache fits(*find_family(published.family));
@@ -146,7 +147,7 @@ TEST(Extrapolate, FindsLimitAndSlopeOfTheLaws) {
 
 TEST(Refit, OrdersByMeasureThenExponent) {
   FitCache fits(*find_family("sg-offset"));
-  const auto result = refit(fits, {3, 5}, numbers_of(sg_offset), cosine_and_angle);
+  const auto result = refit(fits, {3, 5}, numbers_of(*find_family("sg-offset")), cosine_and_angle);
   ASSERT_EQ(result.fits.size(), 4U);
   EXPECT_EQ(result.fits[1].fit.exponent, 5);
   EXPECT_EQ(result.fits[1].fit.metric.measure, Measure::cosine);
@@ -159,7 +160,7 @@ TEST(Refit, OrdersByMeasureThenExponent) {
 
 TEST(Refit, FitsWhatWasPublishedForOutsideTheSweep) {
   FitCache fits(*find_family("sg-offset"));
-  const auto result = refit(fits, {3}, numbers_of(sg_offset), std::array{Metric{}});
+  const auto result = refit(fits, {3}, numbers_of(*find_family("sg-offset")), std::array{Metric{}});
   ASSERT_EQ(result.fits.size(), 2U);
   EXPECT_EQ(result.fits[1].fit.exponent, 5) << "0.788 was published for k = 5";
   EXPECT_EQ(result.fits[1].assessments.size(), 1U);
@@ -181,10 +182,9 @@ Fit fails_in_the_angle(const Setting& setting, const Metric& metric) {
 }
 
 TEST(Assess, AFailureUnderAnotherMeasureTakesNothingAway) {
-  FittableFamily half = *find_family("sg-offset");
-  half.fit = &fails_in_the_angle;
-  FitCache fits(half);
-  const auto result = refit(fits, {5}, numbers_of(half.info), cosine_and_angle);
+  const Family& lobe = *find_family("sg-offset");
+  FitCache fits(lobe, &fails_in_the_angle);
+  const auto result = refit(fits, {5}, numbers_of(lobe), cosine_and_angle);
   ASSERT_EQ(result.fits.size(), 2U);
   EXPECT_EQ(result.fits[0].assessments.at(0).judgement.verdict, Verdict::confirmed);
   EXPECT_TRUE(result.fits[1].assessments.empty());

@@ -39,7 +39,7 @@ std::vector<Fit> samples() {
 }
 
 double objective_of(const Fit& fit, const std::vector<double>& parameters) {
-  return find_family(fit.family->id)->objective(setting_of(fit), fit.metric)(parameters);
+  return fit.family->objective(setting_of(fit), fit.metric)(parameters);
 }
 
 std::string what(const Fit& fit, std::string_view parameter) {
@@ -48,7 +48,7 @@ std::string what(const Fit& fit, std::string_view parameter) {
 
 /// The least objective with one parameter given, by a refit of the public kind.
 double refitted(const Fit& fit, std::size_t i, double value) {
-  const FittableFamily& family = *find_family(fit.family->id);
+  const Family& family = *fit.family;
   if (family.parameters.size() == 1) return objective_of(fit, {value});
   Metric metric = fit.metric;
   metric.constraints.held = {{std::string(family.parameters[i]), value}};

@@ -278,7 +278,7 @@ TEST(Report, DoesNotDependOnTheLocale) {
 TEST(Results, OnlyWhatIsNamedIsComputed) {
   const auto only = compute_results({"norm-phong", "fresnel-quadratic-b"});
   ASSERT_EQ(only.refits.size(), 1U);
-  EXPECT_EQ(only.refits[0].family->info.id, "fresnel-quadratic");
+  EXPECT_EQ(only.refits[0].family->id, "fresnel-quadratic");
   EXPECT_EQ(only.normalisations.size(), 8U);
   EXPECT_EQ(only.reflectances.size(), 4U);
   EXPECT_TRUE(all_checks_passed(only));

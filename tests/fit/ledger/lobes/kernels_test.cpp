@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "approx/lobe.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/ledger/lobes/lobe_rule.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/accuracy.hpp"

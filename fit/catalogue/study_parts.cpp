@@ -1,12 +1,12 @@
-#include "app/options/study_options.hpp"
+#include "fit/catalogue/study_parts.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "fit/support/format.hpp"
 #include "fit/support/lines.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"

@@ -1,11 +1,9 @@
-#include "fit/catalogue_study.hpp"
+#include "fit/catalogue/catalogue_study.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,36 +19,17 @@
 namespace shadefit {
 namespace {
 
-/// A form in the language of studies. The residual of a lobe does not cancel; y is 1 - c.
-struct InWords {
-  std::string_view family, form, residual = "";
-};
-
-constexpr std::array in_words{
-    InWords{"sg-offset", "gaussian_lobe_near_peak(y, k, x)",
-            "lobe_error(gaussian_lobe_near_peak(y, k, 0), -(x y), expm1(lobe_log_ratio(c, y, k)))"},
-    InWords{"sg-scaled", "A gaussian_lobe_near_peak(y, k, x)",
-            "scaled_lobe_error(gaussian_lobe_near_peak(y, k, 0), A, -(x y), expm1(lobe_log_ratio(c, y, k)))"},
-    InWords{"phong-blinn", "blinn_lobe(y, k, x)",
-            "lobe_error(half_angle_power(y, 4 k), (x - 4) k log_half_cosine(y, log1p_remainder(-(y/2))), "
-            "expm1(phong_blinn_log_ratio(lobe_log_ratio(c, y, k), log1p_remainder(-(y/2)), k)))"},
-    InWords{"fresnel-one-term", "fresnel_one_term(c, A)"},
-    InWords{"fresnel-quadratic", "fresnel_quadratic(c, a, b)"},
-    InWords{"fresnel-cubic", "fresnel_cubic(c, a, b, d)"},
-    InWords{"fresnel-quartic", "fresnel_quartic(c, a, b, d, g)"},
-    InWords{"fresnel-fourth", "fresnel_fourth(c, s)"},
-    InWords{"fresnel-square", "fresnel_square(c, a, b)"},
-    InWords{"fresnel-rational", "fresnel_rational(c, a)"}};
-
-const InWords& words_of(std::string_view family) {
-  const auto* found = std::ranges::find(in_words, family, &InWords::family);
-  if (found == in_words.end()) throw std::logic_error("no family '" + std::string(family) + "'");
-  return *found;
+/// Whether the variable of a family is t = k (c - 1): nearly all of the lobe is next to its peak.
+bool is_sharp_lobe(const Family& family, const Setting& setting) {
+  return family.has_exponent() && setting.exponent >= 2;
 }
 
-/// Whether the variable of a family is t = k (c - 1): nearly all of the lobe is next to its peak.
-bool is_sharp_lobe(const InWords& words, double exponent) {
-  return !words.residual.empty() && exponent >= 2;
+/// The smallest cosine with c^k >= 1/255: exp(-log(255)/k). Empty below k = 0.0078, where that is less than
+/// any double.
+std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
+  const double log_end = -std::log(255.0) / exponent;
+  if (std::exp(log_end) < std::numeric_limits<double>::min()) return std::nullopt;
+  return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
 }
 
 /// The density of a measure over t = k (c - 1).
@@ -67,42 +46,72 @@ std::vector<double> cuts_of_lobe(double lower) {
   return cuts;
 }
 
-Study sharp_lobe(double exponent, const Metric& metric, const Cosine<double>& top,
-                 const Cosine<double>& bottom) {
-  Study study;
-  study.target = "power_lobe_near_peak(y, k)";
-  study.over = {{"t", hex_text(-exponent * bottom.one_minus_cos), hex_text(-exponent * top.one_minus_cos),
-                 density_in_t(metric.measure, exponent)}};
+void take_sharp_lobe(Study& study, const Family& family, double exponent, const Metric& metric,
+                     const CosineRange& ends) {
+  study.target = family.target_near_peak;
+  study.form = family.form_near_peak;
+  study.over = {{"t", hex_text(-exponent * ends.second.one_minus_cos),
+                 hex_text(-exponent * ends.first.one_minus_cos), density_in_t(metric.measure, exponent)}};
   study.definitions = {{"y", {}, "-t/k"}, {"c", {}, "1 + t/k"}};
   study.cuts = cuts_of_lobe(-exponent);
-  return study;
+}
+
+StudyRange over_cosine(const Metric& metric, const CosineRange& ends) {
+  return {"c", hex_text(ends.second.cos_theta), hex_text(ends.first.cos_theta),
+          density_of(std::string(name(metric.measure)), "c")};
 }
 
 /// The singularity of a blunt lobe at c = 0 draws the nodes there. A relative error is steep next to it.
-Study blunt_lobe(const Metric& metric, const Cosine<double>& top, const Cosine<double>& bottom) {
-  Study study;
-  study.target = "power_lobe(c, k)";
-  study.over = {{"c", hex_text(bottom.cos_theta), hex_text(top.cos_theta),
-                 density_of(std::string(name(metric.measure)), "c")}};
+void take_blunt_lobe(Study& study, const Family& family, const Metric& metric, const CosineRange& ends) {
+  study.target = family.target_text;
+  study.form = family.form_near_peak;
+  study.over = {over_cosine(metric, ends)};
   study.definitions = {{"y", {}, "1 - c"}};
   study.cuts.emplace();
   if (metric.error == Error::relative)
     for (int power = -64; power < 0; power += 4) study.cuts->push_back(std::ldexp(1.0, power));
-  return study;
 }
 
-Study fresnel_form(const Surface& surface, const Metric& metric, const Cosine<double>& top,
-                   const Cosine<double>& bottom) {
+Study fresnel_form(const Family& family, const Surface& surface, const Metric& metric,
+                   const CosineRange& ends) {
   Study study = fresnel_study(surface, metric.error);
-  study.over = {{"c", hex_text(bottom.cos_theta), hex_text(top.cos_theta),
-                 density_of(std::string(name(metric.measure)), "c")}};
+  study.form = family.form_text;
+  study.over = {over_cosine(metric, ends)};
   study.cuts.emplace();
   const auto joint = joint_of(surface);
   if (joint && !joint->is_kink) study.cuts->push_back(joint->cosine);
   return study;
 }
 
+Study lobe_form(const Family& family, const Setting& setting, const Metric& metric, const CosineRange& ends) {
+  Study study;
+  study.residual = family.error_text;
+  study.given["k"] = hex_text(setting.exponent);
+  study.error = metric.error;
+  if (is_sharp_lobe(family, setting)) {
+    take_sharp_lobe(study, family, setting.exponent, metric, ends);
+  } else {
+    take_blunt_lobe(study, family, metric, ends);
+  }
+  return study;
+}
+
 }  // namespace
+
+std::optional<CosineRange> ends_of(const Family& family, const Setting& setting, const Domain& domain,
+                                   Error error) {
+  const Cosine<double> top{domain.upper, 1 - domain.upper};
+  Cosine<double> bottom{domain.lower, 1 - domain.lower};
+  if (error == Error::absolute || family.is_fresnel) {
+    if (error == Error::relative && domain.lower == domain.upper) return std::nullopt;
+    return CosineRange{top, bottom};
+  }
+  const auto visible_end = where_lobe_is_visible(setting.exponent);
+  if (!visible_end) return std::nullopt;
+  if (visible_end->cos_theta >= domain.lower) bottom = *visible_end;
+  if (bottom.one_minus_cos <= top.one_minus_cos) return std::nullopt;
+  return CosineRange{top, bottom};
+}
 
 Study fresnel_study(const Surface& surface, Error error) {
   const bool is_metal = surface.extinction > 0;
@@ -125,21 +134,10 @@ Study fresnel_study(const Surface& surface, Error error) {
   return study;
 }
 
-Study study_of(std::string_view family, const Setting& setting, const Metric& metric,
-               const Cosine<double>& top, const Cosine<double>& bottom) {
-  const InWords& words = words_of(family);
-  const double k = setting.exponent;
-  const bool is_lobe = !words.residual.empty();
-  Study study = !is_lobe                  ? fresnel_form(setting.surface, metric, top, bottom)
-                : is_sharp_lobe(words, k) ? sharp_lobe(k, metric, top, bottom)
-                                          : blunt_lobe(metric, top, bottom);
-  study.form = words.form;
-  study.residual = words.residual;
+Study study_of(const Family& family, const Setting& setting, const Metric& metric, const CosineRange& ends) {
+  Study study = family.is_fresnel ? fresnel_form(family, setting.surface, metric, ends)
+                                  : lobe_form(family, setting, metric, ends);
   study.held = metric.constraints.held;
-  if (is_lobe) {
-    study.given["k"] = hex_text(k);
-    study.error = metric.error;
-  }
   if (metric.weight.empty()) return study;
   study.weight = study.weight == "1" ? metric.weight : "(" + metric.weight + ") " + study.weight;
   return with_cuts(std::move(study));
@@ -164,28 +162,31 @@ Objective objective_of(const Study& study, const Metric& metric) {
       return largest_weighted_error(read, {parameters.begin(), parameters.end()}).magnitude;
     };
   const double scale = scale_of_weight(study, metric.weight);
-  return [prepared = std::make_shared<PreparedStudy>(study), scale](std::span<const double> parameters) {
-    return prepared->rms_error({parameters.begin(), parameters.end()}) / scale;
+  const ReadStudy read = read_study(study);
+  return [prepared = std::make_shared<PreparedStudy>(study), scale, read,
+          has_poles = !moving_poles(read).empty()](std::span<const double> parameters) {
+    const std::vector<double> values(parameters.begin(), parameters.end());
+    return has_poles && pole_of(read, values) ? HUGE_VAL : prepared->rms_error(values) / scale;
   };
 }
 
-Cosine<double> cosine_at(std::string_view family, const Setting& setting, double variable) {
-  if (!is_sharp_lobe(words_of(family), setting.exponent)) return {variable, 1 - variable};
+Cosine<double> cosine_at(const Family& family, const Setting& setting, double variable) {
+  if (!is_sharp_lobe(family, setting)) return {variable, 1 - variable};
   const double one_minus_cos = -variable / setting.exponent;
   return {1 - one_minus_cos, one_minus_cos};
 }
 
-std::string in_cosines(std::string_view family, const Setting& setting, std::string sentence) {
+double variable_at(const Family& family, const Setting& setting, const Cosine<double>& cosine) {
+  return is_sharp_lobe(family, setting) ? -setting.exponent * cosine.one_minus_cos : cosine.cos_theta;
+}
+
+std::string in_cosines(const Family& family, const Setting& setting, std::string sentence) {
   constexpr std::string_view before = " at t = ";
   const auto place = sentence.find(before);
   if (place == std::string::npos) return sentence;
   const std::optional<double> t = parse_number(sentence.substr(place + before.size()));
   return t ? sentence.substr(0, place) + " at c = " + to_text(cosine_at(family, setting, *t).cos_theta)
            : sentence;
-}
-
-double variable_at(std::string_view family, const Setting& setting, double cos_theta) {
-  return is_sharp_lobe(words_of(family), setting.exponent) ? -setting.exponent * (1 - cos_theta) : cos_theta;
 }
 
 }  // namespace shadefit

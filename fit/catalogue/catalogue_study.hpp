@@ -1,19 +1,27 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 
 #include "approx/cosine.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/study/study.hpp"
 
-/// The families as studies: the engine fits nothing else.
+/// The families as studies of one setting: the engine fits nothing else.
 namespace shadefit {
+
+/// The upper and the lower end of a range of cosines.
+using CosineRange = std::pair<Cosine<double>, Cosine<double>>;
+
+/// The places that count for an error; empty if it has no meaning anywhere. The relative error of a lobe has
+/// one where the target is at least 1/255, one code of an 8-bit linear target.
+std::optional<CosineRange> ends_of(const Family& family, const Setting& setting, const Domain& domain,
+                                   Error error);
 
 /// The study of a family between two places. A relative error is that of the family. Its variable is c; of a
 /// lobe with k >= 2 it is t = k (c - 1), in which all lobes are equally wide.
-Study study_of(std::string_view family, const Setting& setting, const Metric& metric,
-               const Cosine<double>& top, const Cosine<double>& bottom);
+Study study_of(const Family& family, const Setting& setting, const Metric& metric, const CosineRange& ends);
 
 /// Target and weight of a Fresnel form for a surface, over c. Without a named surface an absolute error is
 /// that of the weight, for every f0; else errors are those of the reflectance.
@@ -26,10 +34,10 @@ double scale_of_weight(const Study& study, const std::string& weight);
 Objective objective_of(const Study& study, const Metric& metric);
 
 /// The cosine at a value of the variable of that study, and the value at a cosine.
-Cosine<double> cosine_at(std::string_view family, const Setting& setting, double variable);
-double variable_at(std::string_view family, const Setting& setting, double cos_theta);
+Cosine<double> cosine_at(const Family& family, const Setting& setting, double variable);
+double variable_at(const Family& family, const Setting& setting, const Cosine<double>& cosine);
 
 /// A sentence that ends with a place of that study, with its cosine: "no parameters .. at c = 0".
-std::string in_cosines(std::string_view family, const Setting& setting, std::string sentence);
+std::string in_cosines(const Family& family, const Setting& setting, std::string sentence);
 
 }  // namespace shadefit

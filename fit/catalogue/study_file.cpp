@@ -1,4 +1,4 @@
-#include "fit/study/study_file.hpp"
+#include "fit/catalogue/study_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +30,11 @@ std::string_view name(StatedError error) {
       return "mean_square_error";
   }
   return "unknown";
+}
+
+void take_form(Study& study, const StudyForm& form) {
+  study.form = form.formula;
+  study.residual = form.error;
 }
 
 bool is_for(const PublishedSet& set, const Study& study) {

@@ -1,17 +1,14 @@
-#include "app/studies/find_study.hpp"
+#include "fit/catalogue/read_study_file.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "app/options/study_options.hpp"
-#include "fit/input/toml_reader.hpp"
+#include "fit/catalogue/study_parts.hpp"
 #include "fit/support/decimal.hpp"
-#include "reports/io/utf8.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -228,9 +225,18 @@ CitedWork read_cited(const TomlReader& reader, const toml::table& cite) {
   return work;
 }
 
-PublishedSet read_published(const TomlReader& reader, const toml::table& table, const StudyFile& file) {
+/// The keys of a part of a study, and more.
+std::vector<std::string> with_more(std::vector<std::string> own, const std::vector<std::string>& more) {
+  own.insert(own.end(), more.begin(), more.end());
+  return own;
+}
+
+PublishedSet read_published(const TomlReader& reader, const toml::table& table, const StudyFile& file,
+                            const MoreKeys& more) {
   const std::vector<StudyForm>& forms = file.forms;
-  reader.require_keys(table, {"form", "given", "values", "source", "cite", "where", "claim", "variants"});
+  reader.require_keys(table,
+                      with_more({"form", "given", "values", "source", "cite", "where", "claim", "variants"},
+                                more.of_published));
   PublishedSet set{.form = reader.optional(table, "form", forms.front().id), .values = {}, .source = {}};
   const bool is_known = std::ranges::find(forms, set.form, &StudyForm::id) != forms.end();
   if (!is_known) reader.fail(table, fmt::format("published form '{}' is not the id of a form", set.form));
@@ -253,11 +259,12 @@ PublishedSet read_published(const TomlReader& reader, const toml::table& table, 
   return set;
 }
 
-void read_forms(const TomlReader& reader, const toml::table& whole, StudyFile& file) {
+void read_forms(const TomlReader& reader, const toml::table& whole, StudyFile& file, const MoreKeys& more) {
   for (const toml::node* node : reader.list(whole, "form")) {
     const toml::table& form = reader.table(*node, "form");
-    reader.require_keys(form, {"id", "formula"});
-    const StudyForm read{reader.required(form, "id"), reader.required(form, "formula")};
+    reader.require_keys(form, with_more({"id", "formula", "error"}, more.of_form));
+    const StudyForm read{reader.required(form, "id"), reader.required(form, "formula"),
+                         reader.optional(form, "error")};
     // A plain word: `--form` takes it, and it stands in tables, pictures and code.
     const bool is_id = !read.id.empty() && read.id.front() != '-' && std::ranges::all_of(read.id, [](char c) {
       return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '-' ||
@@ -288,12 +295,21 @@ void join_lines(toml::node& node) {
 
 }  // namespace
 
-StudyFile read_study_file(const std::string& text, const std::string& name) {
-  const TomlReader reader("study '" + printable(name) + "'");
+toml::table parse_in_lines(const TomlReader& reader, const std::string& text) {
   toml::table whole = reader.parse(text);
   join_lines(whole);
-  reader.require_keys(whole, {"schema", "id", "title", "about", "over", "given", "let", "target", "form",
-                              "bounds", "metric", "published"});
+  return whole;
+}
+
+StudyFile read_study_file(const std::string& text, const std::string& name) {
+  const TomlReader reader("study '" + name + "'");
+  return study_of_toml(reader, parse_in_lines(reader, text));
+}
+
+StudyFile study_of_toml(const TomlReader& reader, const toml::table& whole, const MoreKeys& more) {
+  reader.require_keys(whole, with_more({"schema", "id", "title", "about", "over", "given", "let", "target",
+                                        "form", "bounds", "metric", "published"},
+                                       more.of_file));
   const auto schema = whole["schema"].value<int>();
   if (schema != study_schema) reader.fail(1, fmt::format("the key 'schema' must be {}", study_schema));
   StudyFile file{.id = reader.required(whole, "id"),
@@ -317,7 +333,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   read_over(reader, *over, file.study);
   if (file.study.over.empty())
     reader.fail(*over, "[over] needs a variable and its range, for example x = \"0:1\"");
-  reader.require_keys(*target, {"formula", "table", "recompute", "encoded"});
+  reader.require_keys(*target, with_more({"formula", "table", "recompute", "encoded"}, more.of_target));
   file.table = reader.optional(*target, "table");
   if (file.table.empty()) file.study.target = reader.required(*target, "formula");
   if (!file.table.empty() && target->contains("formula"))
@@ -325,10 +341,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (target->contains("recompute")) file.recompute = reader.required(*target, "recompute");
   if (file.table.empty() && file.recompute)
     reader.fail(*target, "'recompute' goes with a table: it is the formula of its values");
-  if (const toml::node* encoded = target->get("encoded")) {
-    if (!encoded->is_boolean()) reader.fail(*encoded, "the key 'encoded' must be true or false");
-    file.is_encoded = encoded->as_boolean()->get();
-  }
+  file.is_encoded = reader.flag(*target, "encoded");
   if (const toml::table* given = part("given")) {
     for (const auto& [constant, node] : reader.in_order(*given))
       file.given.push_back(reader.parsed(*node, [&, &key = constant, &value = node] {
@@ -336,7 +349,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
       }));
   }
   if (const toml::table* let = part("let")) read_definitions(reader, *let, file.study);
-  read_forms(reader, whole, file);
+  read_forms(reader, whole, file, more);
   if (const toml::table* bounds = part("bounds")) {
     for (const auto& [parameter, node] : reader.in_order(*bounds))
       file.study.bounds.push_back(reader.parsed(*node, [&, &key = parameter, &value = node] {
@@ -346,7 +359,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (const toml::table* metric = part("metric")) read_metric(reader, *metric, file);
   note_lines(whole, file);
   for (const toml::node* node : reader.list(whole, "published"))
-    file.published.push_back(read_published(reader, reader.table(*node, "published"), file));
+    file.published.push_back(read_published(reader, reader.table(*node, "published"), file, more));
   return file;
 }
 

@@ -4,9 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "approx/lobe.hpp"
+#include "approx/phong_blinn.hpp"
 #include "approx/records/optical_constants.hpp"
-#include "fit/errors/exact_fresnel.hpp"
-#include "fit/fit.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/least_squares/digits.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/references.hpp"
@@ -23,7 +24,7 @@ TEST(LeastSquares, HasFourteenDigitsOfEveryReference) {
   const auto references = testing::read_references();
   EXPECT_EQ(references.size(), 91U + 43U + 57U);
   for (const auto& reference : references) {
-    const FittableFamily& family = *find_family(reference.constant);
+    const Family& family = *find_family(reference.constant);
     const Fit fit = family.fit(reference.exponent.value_or(0), reference.metric());
     const auto i = std::find(family.parameters.begin(), family.parameters.end(), reference.parameter) -
                    family.parameters.begin();
@@ -169,7 +170,7 @@ TEST(LeastSquares, FitsConductors) {
 TEST(LeastSquares, ErrorsFromInsideAreTheLargest) {
   for (const double ior : {0.6667, 0.67, 0.75, 0.9}) {
     for (const char* id : {"fresnel-one-term", "fresnel-quadratic"}) {
-      const FittableFamily& family = *find_family(id);
+      const Family& family = *find_family(id);
       const Fit fit = family.fit({0, exact_surface(ior)}, {});
       ASSERT_EQ(fit.status, Status::converged);
       const double f0 = reflectance_at_normal(ior);
@@ -251,14 +252,14 @@ TEST(LeastSquares, RelativeErrorsOfBluntLobes) {
 // Settings of every status: only a fit that did not converge says why.
 TEST(LeastSquares, EveryFailureSaysWhy) {
   int failed = 0;
-  for (const FittableFamily& family : fittable_families()) {
+  for (const Family& family : families()) {
     for (const Error error : {Error::absolute, Error::relative}) {
       for (const Domain domain : {Domain{}, {0, 0.001}, {0.5, 0.5000000000000001}}) {
         for (const Setting& setting :
              {Setting(1e-320), Setting(0.003), Setting(1e160, exact_surface(0.5, 5))}) {
           const Fit fit = family.fit(setting, {.error = error, .domain = domain});
           const bool is_answer = fit.status == Status::converged;
-          EXPECT_EQ(fit.why.empty(), is_answer) << family.info.id << " " << setting.exponent << " "
+          EXPECT_EQ(fit.why.empty(), is_answer) << family.id << " " << setting.exponent << " "
                                                 << describe(fit.metric) << " " << name(fit.status);
           failed += !is_answer;
         }

@@ -17,7 +17,11 @@ namespace shadefit {
 
 struct StudyForm {
   std::string id, formula;
+  std::string error = {};  ///< form - target by a formula that does not cancel; empty: their difference
 };
+
+/// The study with this form.
+void take_form(Study& study, const StudyForm& form);
 
 /// Constants as printed: names and decimal texts, because the number of digits matters.
 using PrintedValues = std::vector<std::pair<std::string, std::string>>;

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/catalogue/published.hpp"
+#include "fit/catalogue/surface.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/errors/extremum.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/solution.hpp"
+
+/// The forms that are fitted by name, and their fits. Each is a form of a study of studies/catalogue.
+namespace shadefit {
+
+struct Family;
+
+/// The setting of a family: the exponent of a lobe, or the surface of a Fresnel form.
+struct Setting {
+  double exponent = 0;   ///< ignored if the family has none
+  Surface surface = {};  ///< ignored if the form is not a Fresnel form
+
+  // A bare exponent is the usual setting.
+  constexpr Setting(double exponent_ = 0, Surface surface_ = {}) : exponent(exponent_), surface(surface_) {}
+  auto operator<=>(const Setting&) const = default;
+};
+
+/// The result of a fit: constants, their digits, and the errors of the fitted curve.
+struct Fit : Solution {
+  const Family* family = nullptr;
+  std::optional<double> exponent = std::nullopt;  ///< empty where the family has none
+  Surface surface = {};                           ///< of a Fresnel form
+  Metric metric = {};
+  Extremum max_abs_error = {};  ///< of form - target
+  /// Relative to `relative_to`; empty if that has no meaning.
+  std::optional<Extremum> max_rel_error = std::nullopt;
+  Domain relative_domain = {};  ///< the range of its search
+  std::string relative_to = {};
+};
+
+/// A form beside its target at one cosine. On an exact surface both are Fresnel weights f, F = f0 + (1-f0) f.
+struct CurvePoint {
+  double target, form;
+  double error;                          ///< form - target; with a named surface that of F
+  std::optional<double> relative_error;  ///< relative to `Fit::relative_to`; empty if it is not finite
+};
+
+/// A number that is to be small, at given parameters. One thread asks it at a time.
+using Objective = std::function<double(std::span<const double> parameters)>;
+
+/// The trend of a curve with the angle, that is from c = 1 down to c = 0.
+enum class Trend {
+  none,   ///< nothing is said
+  falls,  ///< never rises
+  rises,  ///< never falls
+};
+
+/// Properties that a form must have at its published and fitted parameters; an interval proof shows them
+/// (fit/proof/curve_proof.hpp).
+struct CurveShape {
+  Trend trend = Trend::none;
+  bool is_non_negative = false;
+  bool is_at_most_one = false;
+  bool operator==(const CurveShape&) const = default;
+};
+
+/// A form and its target. Parameters are in the order of `parameters`.
+struct Family {
+  std::string id, title;
+  std::string variables;  ///< what each letter means
+  std::string sweep;   ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
+  bool is_fresnel;     ///< the target is the weight of a reflectance
+  bool is_comparison;  ///< no source names it: `fit` and `list` show it, a report only on request
+  CurveShape curve;
+  std::vector<std::string> parameters;
+  Symbolic target, form;  ///< of the cosine c and the exponent k; the form of the parameters too
+  /// Formulas of a study: of c, and of y = 1 - c where a lobe is sharp. The error does not cancel.
+  std::string target_text, target_near_peak, form_text, form_near_peak, error_text;
+  /// Three points, spread over the box of the search: formulas of k, or of the sharpness h of a Fresnel
+  /// target; and those for a surface that is seen from inside, if there are others.
+  std::vector<std::vector<Symbolic>> starts, starts_inside;
+
+  bool has_exponent() const { return !sweep.empty(); }
+
+  Fit fit(const Setting& setting, const Metric& metric) const;
+
+  /// The largest errors at given parameters. Infinite at a pole.
+  Extremum max_abs_error(const Setting& setting, const Domain& domain,
+                         std::span<const double> parameters) const;
+  /// Empty where a relative error has no meaning.
+  std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& domain,
+                                        std::span<const double> parameters) const;
+
+  /// Both, of a fit.
+  void add_errors(Fit& of) const;
+
+  /// Of a change of the parameters.
+  Effect effect(const Setting& setting, const Domain& domain, std::span<const double> from,
+                std::span<const double> to) const;
+
+  /// The quantity that the metric minimises: the rms error, or the largest weight * |error|.
+  Objective objective(const Setting& setting, const Metric& metric) const;
+
+  /// The part of a domain in which a relative error has a meaning; empty where there is none.
+  std::optional<Domain> relative_domain(const Setting& setting, const Domain& domain) const;
+
+  /// The curve, at given parameters. One thread asks it at a time.
+  std::function<CurvePoint(const Cosine<double>&)> curve_at(const Setting& setting,
+                                                            std::span<const double> parameters) const;
+
+  /// The points from which a search starts.
+  std::vector<std::vector<double>> starts_of(const Setting& setting) const;
+};
+
+/// Why two errors of one curve cannot both be right: a root mean square is never above the largest magnitude.
+/// Empty if they can.
+std::string contradiction_of(double rms_error, double largest_error);
+
+/// The setting that a fit was made with.
+inline Setting setting_of(const Fit& fit) {
+  return {fit.exponent.value_or(0), fit.surface};
+}
+
+/// Every family, in the order of the report.
+std::span<const Family> families();
+
+/// The place of a parameter among the family's. Throws std::logic_error if the family has no such parameter.
+std::size_t parameter_index(const Family& family, std::string_view name);
+
+/// The family of that id, or null.
+const Family* find_family(std::string_view id);
+
+}  // namespace shadefit

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
+#include "fit/fit_study.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The given values of a metric by the places of their parameters.
+std::vector<std::optional<double>> given_parameters(const Family& family, const Constraints& constraints) {
+  std::vector<std::optional<double>> given(family.parameters.size());
+  for (const Held& held : constraints.held) given[parameter_index(family, held.parameter)] = held.value;
+  return given;
+}
+
+/// The starts of a family without its given parameters.
+std::vector<std::vector<double>> free_starts(const Family& family, const Setting& setting,
+                                             const std::vector<std::optional<double>>& given) {
+  std::vector<std::vector<double>> starts;
+  for (const auto& start : family.starts_of(setting)) {
+    starts.emplace_back();
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (!given[i]) starts.back().push_back(start[i]);
+  }
+  return starts;
+}
+
+/// The fit of a study as one of a family.
+Solution solution_of(const StudyFit& fit, const Family& family, const Setting& setting,
+                     const std::vector<std::optional<double>>& given) {
+  Solution solution{.parameters = std::vector<double>(given.size()),
+                    .status = fit.status,
+                    .digits = fit.digits,
+                    .rms_error = fit.rms_error,
+                    .level = fit.level,
+                    .alternation = fit.alternation,
+                    .why = fit.why};
+  auto next = fit.parameters.begin();
+  for (std::size_t i = 0; i < given.size(); ++i)
+    solution.parameters[i] = given[i] ? *given[i] : next != fit.parameters.end() ? *next++ : 0;
+  std::ranges::reverse(solution.alternation);
+  for (AlternationPoint& point : solution.alternation)
+    point.at = cosine_at(family, setting, point.at.cos_theta);
+  return solution;
+}
+
+Solution solve(const Family& family, const Setting& setting, const Metric& metric) {
+  const auto ends = ends_of(family, setting, metric.domain, metric.error);
+  if (!ends)
+    return {.parameters = std::vector<double>(family.parameters.size()),
+            .status = Status::not_finite,
+            .why = "a relative error has no meaning on this domain"};
+  StudyObjective asked{.study = study_of(family, setting, metric, *ends),
+                       .norm = metric.norm,
+                       .constraints = metric.constraints};
+  for (double& place : asked.constraints.exact_at) place = variable_at(family, setting, {place, 1 - place});
+  const auto given = given_parameters(family, metric.constraints);
+  StudyFit found;
+  try {
+    found = fit_from_starts(asked, free_starts(family, setting, given));
+    found.rms_error /= scale_of_weight(asked.study, metric.weight);
+  } catch (const Infeasible& error) {
+    fail(found, Status::infeasible, in_cosines(family, setting, error.why));
+  } catch (const UserError& error) {
+    fail(found, Status::not_finite, error.what());
+  }
+  return solution_of(found, family, setting, given);
+}
+
+/// What a relative error is relative to.
+std::string denominator_of(const Family& family, const Surface& surface) {
+  if (!family.is_fresnel) return "target >= 1/255";
+  if (!surface.is_named())
+    return "F = f0 + (1 - f0) f, f0 = " + (surface.f0 ? to_text(*surface.f0) : std::string(reference_f0));
+  return surface.is_exact() ? "the exact F" : "Schlick's F, f0 of the surface";
+}
+
+}  // namespace
+
+std::string contradiction_of(double rms_error, double largest_error) {
+  constexpr double rounding = 1e-15;  // a few ulps at 1, the largest value of forms and targets
+  // Errors that differ by less count as equal in the search.
+  if (rms_error <= largest_error * (1 + equal_extrema) + rounding) return "";
+  return "the rms error " + to_text(rms_error) + " exceeds the largest error found, " +
+         to_text(largest_error) + ": one of them is wrong";
+}
+
+std::vector<std::vector<double>> Family::starts_of(const Setting& setting) const {
+  const Surface& surface = setting.surface;
+  const bool is_inside = surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior;
+  const auto value_of = [&](const std::string& name) {
+    return name == "k" ? setting.exponent : 1 / half_weight_cosine(surface);
+  };
+  std::vector<std::vector<double>> values;
+  for (const auto& start : is_inside && !starts_inside.empty() ? starts_inside : starts) {
+    values.emplace_back();
+    for (const Symbolic& formula : start) values.back().push_back(evaluate<double>(formula, value_of));
+  }
+  return values;
+}
+
+Objective Family::objective(const Setting& setting, const Metric& metric) const {
+  const auto ends = ends_of(*this, setting, metric.domain, metric.error);
+  if (!ends) return [](std::span<const double>) { return std::numeric_limits<double>::quiet_NaN(); };
+  Metric free = metric;
+  free.constraints = {};
+  return objective_of(study_of(*this, setting, free, *ends), metric);
+}
+
+Fit Family::fit(const Setting& setting, const Metric& metric) const {
+  Fit result{solve(*this, setting, metric)};
+  result.family = this;
+  if (has_exponent()) result.exponent = setting.exponent;
+  if (is_fresnel) result.surface = setting.surface;
+  result.metric = metric;
+  result.relative_to = denominator_of(*this, setting.surface);
+  if (result.status != Status::converged) return result;
+  add_errors(result);
+  if (const auto defined = relative_domain(setting, metric.domain)) {
+    result.relative_domain = *defined;
+  } else {
+    result.relative_to = "nothing: the target is nowhere between 1/255 and what a double can reach";
+  }
+  const bool is_relative = metric.error == Error::relative;
+  result.why = contradiction_of(result.rms_error, is_relative ? result.max_rel_error.value().magnitude
+                                                              : result.max_abs_error.magnitude);
+  if (!result.why.empty()) result.status = Status::not_converged;
+  return result;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,163 @@
+#include "fit/catalogue/read_families.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <utility>
+
+#include "fit/catalogue/read_study_file.hpp"
+#include "fit/formula/parse_formula.hpp"
+
+namespace shadefit {
+namespace {
+
+const MoreKeys keys_of_families{
+    .of_file = {"error_of"},
+    .of_target = {"near_peak"},
+    .of_form = {"near_peak", "title", "variables", "curve", "is_comparison", "starts", "starts_inside"},
+    .of_published = {"id", "statement", "sweep", "convention"}};
+
+/// The value of a word.
+template <class T, std::size_t N>
+T named(const TomlReader& reader, const toml::node& node, const std::string& word,
+        const std::array<std::pair<std::string_view, T>, N>& values) {
+  const auto found = std::ranges::find(values, word, &std::pair<std::string_view, T>::first);
+  if (found == values.end()) reader.fail(node, "'" + word + "' is unknown here");
+  return found->second;
+}
+
+CurveShape curve_of(const TomlReader& reader, const toml::table& form) {
+  CurveShape curve;
+  for (const toml::node* node : reader.list(form, "curve")) {
+    const std::string word = reader.text(*node, "curve");
+    if (word == "non-negative") {
+      curve.is_non_negative = true;
+    } else if (word == "at most 1") {
+      curve.is_at_most_one = true;
+    } else {
+      curve.trend =
+          named<Trend, 2>(reader, *node, word, {{{"falls", Trend::falls}, {"rises", Trend::rises}}});
+    }
+  }
+  return curve;
+}
+
+/// Points of the search: a formula for each parameter.
+std::vector<std::vector<Symbolic>> starts_of(const TomlReader& reader, const toml::table& form,
+                                             const std::string& key) {
+  constexpr std::array<std::string_view, 2> variables{"k", "h"};
+  std::vector<std::vector<Symbolic>> starts;
+  for (const toml::node* point : reader.list(form, key)) {
+    std::vector<Symbolic>& start = starts.emplace_back();
+    for (const toml::node& node : *point->as_array())
+      start.push_back(parse_formula(reader.text(node, key), variables));
+  }
+  return starts;
+}
+
+Family family_of(const TomlReader& reader, const toml::table& whole, const toml::table& form,
+                 const StudyFile& file, const StudyForm& read) {
+  const toml::table& target = *whole["target"].as_table();
+  Study study = file.study;
+  if (!file.given.empty()) study.given = {{"k", file.given.front().second.front()}};
+  take_form(study, read);
+  const ReadStudy formulas = read_formulas(study);
+  const auto of_exponent = [](const std::string& formula) {
+    return read_formula(formula, {.variables = {"c", "k"}, .takes_parameters = true, .takes_integrals = true})
+        .formula;
+  };
+  return {.id = read.id,
+          .title = reader.required(form, "title"),
+          .variables = reader.required(form, "variables"),
+          .sweep = file.given.empty() ? "" : reader.required(*whole["given"].as_table(), "k"),
+          .is_fresnel = whole.contains("error_of"),
+          .is_comparison = reader.flag(form, "is_comparison"),
+          .curve = curve_of(reader, form),
+          .parameters = formulas.parameters,
+          .target = of_exponent(study.target),
+          .form = of_exponent(study.form),
+          .target_text = study.target,
+          .target_near_peak = reader.optional(target, "near_peak"),
+          .form_text = study.form,
+          .form_near_peak = reader.optional(form, "near_peak"),
+          .error_text = read.error,
+          .starts = starts_of(reader, form, "starts"),
+          .starts_inside = starts_of(reader, form, "starts_inside")};
+}
+
+/// Reads published sets into one record for each number.
+class PublishedReader {
+ public:
+  PublishedReader(const TomlReader& reader, Catalogue& into) : reader_(reader), into_(into) {}
+
+  void append(const toml::table& table, const PublishedSet& set) {
+    const std::string id = reader_.required(table, "id"),
+                      statement = reader_.optional(table, "statement", "best");
+    const Source source = source_of(set.cite.value());
+    for (const auto& [parameter, printed] : set.values) {
+      Published number{
+          .id = kept(set.values.size() == 1 ? id : id + "-" + parameter),
+          .family = kept(set.form),
+          .parameter = kept(parameter),
+          .printed = kept(printed),
+          .statement = named<Statement, 4>(reader_, table, statement,
+                                           {{{"best", Statement::best_fit},
+                                             {"mean", Statement::mean_of_fits},
+                                             {"limit", Statement::limit_of_fits},
+                                             {"somewhere", Statement::fit_somewhere}}}),
+          .exponents = kept(set.given.empty() ? reader_.optional(table, "sweep") : set.given.front().second),
+          .source = source,
+          .variants = variants_of(set, parameter)};
+      if (const toml::node* convention = table.get("convention"))
+        number.convention = convention_of(reader_.table(*convention, "convention"));
+      into_.published.push_back(number);
+    }
+  }
+
+ private:
+  std::string_view kept(std::string text) const { return into_.texts.emplace_back(std::move(text)); }
+  std::string_view kept(const OthersText& text) const { return kept(text.unescaped()); }
+
+  Source source_of(const CitedWork& work) const {
+    return {kept(work.authors.front()), std::atoi(work.year.unescaped().c_str()), kept(work.title),
+            kept(work.howpublished), kept(work.url)};
+  }
+
+  Convention convention_of(const toml::table& table) const {
+    reader_.require_keys(table, {"name", "formula", "value"});
+    const std::optional<double> value = value_of_numbers(reader_.required(table, "value"));
+    if (!value) reader_.fail(table, "the value of a convention is a formula of numbers");
+    return {kept(reader_.required(table, "name")), kept(reader_.required(table, "formula")), value};
+  }
+
+  std::span<const Variant> variants_of(const PublishedSet& set, const std::string& parameter) const {
+    std::vector<Variant>& variants = into_.variants.emplace_back();
+    for (const MistypedCopy& copy : set.variants) {
+      for (const auto& [name, printed] : copy.values)
+        if (name == parameter) variants.push_back({kept(printed), kept(copy.seen)});
+    }
+    return variants;
+  }
+
+  const TomlReader& reader_;
+  Catalogue& into_;
+};
+
+}  // namespace
+
+void read_families(const std::string& text, const std::string& name, Catalogue& into) {
+  const TomlReader reader("catalogue '" + name + "'");
+  const toml::table whole = parse_in_lines(reader, text);
+  const StudyFile file = study_of_toml(reader, whole, keys_of_families);
+  const auto forms = reader.list(whole, "form"), sets = reader.list(whole, "published");
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    Family family = family_of(reader, whole, *forms[i]->as_table(), file, file.forms[i]);
+    const auto end = std::ranges::find_if(into.families, &Family::is_comparison);
+    into.families.insert(family.is_comparison ? into.families.end() : end, std::move(family));
+  }
+  PublishedReader published(reader, into);
+  for (std::size_t i = 0; i < sets.size(); ++i) published.append(*sets[i]->as_table(), file.published[i]);
+}
+
+}  // namespace shadefit
