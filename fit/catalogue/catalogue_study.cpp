@@ -78,8 +78,7 @@ Study fresnel_form(const Family& family, const Surface& surface, const Metric& m
   study.form = family.form_text;
   study.over = {over_cosine(metric, ends)};
   study.cuts.emplace();
-  const auto joint = joint_of(surface);
-  if (joint && !joint->is_kink) study.cuts->push_back(joint->cosine);
+  if (const auto cut = end_of_fall(surface)) study.cuts->push_back(*cut);
   return study;
 }
 

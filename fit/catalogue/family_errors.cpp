@@ -69,7 +69,7 @@ class AtCosine {
 /// Where a change is looked for: densely at both ends of the domain, and near the peak of a lobe.
 Substitution places_of(const Family& family, const Setting& setting, const Domain& domain) {
   const Shape shape = family.is_fresnel
-                          ? Shape{.joint = joint_of(setting.surface)}
+                          ? Shape{}
                           : Shape{.concentration = 2 * setting.exponent, .end_power = setting.exponent};
   return {{.measure = Measure::cosine, .domain = domain}, shape};
 }

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "approx/fresnel.hpp"
-#include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 
 /// The target of a Fresnel form: Schlick's formula or the exact one, with or without a named surface.
@@ -75,13 +74,6 @@ T target_weight(const Surface& surface, const T& cos_theta) {
   return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance<T>(surface));
 }
 
-/// The cosine of the critical angle, sin = n, beyond which a dielectric with index below 1 reflects
-/// everything. The exact reflectance has a kink there.
-inline std::optional<double> critical_cosine(const Surface& surface) {
-  const bool is_inside = surface.is_exact() && surface.extinction == 0 && surface.ior < 1;
-  return is_inside ? std::optional(std::sqrt((1 - surface.ior) * (1 + surface.ior))) : std::nullopt;
-}
-
 /// The scale of the target: the cosine at which its weight first falls to one half, on the way from grazing
 /// (c = 0) to normal incidence. For Schlick's formula this is 1 - 2^(-1/5); a metal may lose its grazing
 /// reflectance within a hundredth. It is rounded to a power of 2^(1/4), which is near enough.
@@ -91,14 +83,14 @@ inline double half_weight_cosine(const Surface& surface) {
   return std::min(c, 1.0);
 }
 
-/// The place that splits the domain of a surface's target: its kink; or, if it falls within a small part of
-/// the domain, eight times the cosine at which it has fallen to one half. Then the fall and the rest have
-/// their own nodes.
-inline std::optional<Shape::Joint> joint_of(const Surface& surface) {
-  if (const auto kink = critical_cosine(surface)) return Shape::Joint{*kink, true};
-  if (!surface.is_exact()) return std::nullopt;
-  const double joint = 8 * half_weight_cosine(surface);
-  return joint < 0.6 ? std::optional(Shape::Joint{joint}) : std::nullopt;
+/// The place that cuts the domain of an exact target that falls within a small part of it: eight times the
+/// cosine at which it has fallen to one half. Then the fall and the rest have their own nodes. From inside a
+/// dielectric the target has a kink, which is found as such.
+inline std::optional<double> end_of_fall(const Surface& surface) {
+  const bool has_kink = surface.extinction == 0 && surface.ior < 1;
+  if (!surface.is_exact() || has_kink) return std::nullopt;
+  const double end = 8 * half_weight_cosine(surface);
+  return end < 0.6 ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace shadefit

@@ -71,15 +71,4 @@ Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substi
   return chosen;
 }
 
-Extremum largest_magnitude(const SearchedFunction& f, const std::vector<Substitution>& panels) {
-  Extremum largest;
-  for (const Substitution& panel : panels) {  // from the peak down: a later panel has smaller c
-    const Extremum found = largest_magnitude(f, panel);
-    if (found.magnitude >= largest.magnitude * (1 - equal_extrema)) {
-      largest = {std::max(found.magnitude, largest.magnitude), found.at};
-    }
-  }
-  return largest;
-}
-
 }  // namespace shadefit

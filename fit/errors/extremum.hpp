@@ -40,16 +40,12 @@ struct SearchedFunction {
 /// `search_points` are refined to roots; both ends count.
 Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substitution);
 
-/// The largest |f| over several panels; the smallest c of equal ones.
-Extremum largest_magnitude(const SearchedFunction& f, const std::vector<Substitution>& panels);
-
-/// The same for an `f` that maps a Cosine<T> to a T for double and ceres::Jet<double, 1>, over one panel or
-/// several.
-template <class F, class Places>
-Extremum largest_magnitude(const F& f, const Places& places) {
+/// The same for an `f` that maps a Cosine<T> to a T for double and ceres::Jet<double, 1>.
+template <class F>
+Extremum largest_magnitude(const F& f, const Substitution& substitution) {
   const SearchedFunction searched{[&f](const Cosine<double>& c) { return f(c); },
                                   [&f](const Cosine<SearchedFunction::Jet>& c) { return f(c).v[0]; }};
-  return largest_magnitude(searched, places);
+  return largest_magnitude(searched, substitution);
 }
 
 }  // namespace shadefit

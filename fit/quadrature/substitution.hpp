@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include "approx/cosine.hpp"
 #include "approx/scalar.hpp"
@@ -20,19 +18,6 @@ struct Shape {
   double concentration = 0;
   /// It behaves as c^end_power at c = 0. It is smooth there if this is a whole number.
   double end_power = 0;
-  /// A cosine at which the domain is split.
-  struct Joint {
-    double cosine;
-    bool is_kink = false;  ///< there is a kink, with the behaviour of a square root on the side of the peak
-  };
-  std::optional<Joint> joint = std::nullopt;
-
-  /// For a search, which needs no smoothness: split at a kink only.
-  Shape for_search() const {
-    Shape shape = *this;
-    if (joint && !joint->is_kink) shape.joint.reset();
-    return shape;
-  }
 };
 
 /// A map of s in [0, 1] onto the domain: s = 0 at its upper end (the peak), s = 1 at its lower end.
@@ -45,14 +30,6 @@ struct Shape {
 class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
-
-  /// The domain in panels, on each of which the integrand is smooth: one, and one more if the joint is
-  /// inside.
-  static std::vector<Substitution> panels(const Metric& metric, const Shape& shape);
-
-  /// The cosine measure between two places that are known to full precision, not cut off; in panels as above.
-  static std::vector<Substitution> between(const Cosine<double>& top, const Cosine<double>& bottom,
-                                           const Shape& shape = {});
 
   /// exp(-48) = 1.4e-21; with the factor t^3 of a gradient, t = k(1-c), the cut moves a fit by 2e-17 of
   /// itself.
@@ -92,9 +69,6 @@ class Substitution {
     return {{cos_theta, one_minus_cos}, density};
   }
 
-  /// The measure of the whole domain, cut or not.
-  long double total() const { return total_; }
-
  private:
   /// Of a singularity (1 - c)^p or c^p with p > -1.
   static int smoothing_power(double p) { return std::max(1, static_cast<int>(std::ceil(8 / (1 + p)))); }
@@ -104,37 +78,7 @@ class Substitution {
   long double near_ = 0;    ///< the variable at s = 0
   long double length_ = 1;  ///< and from there to where u is 0
   long double rest_ = 0;    ///< from there to c = 0
-  long double total_ = 1;
 };
-
-inline std::vector<Substitution> Substitution::between(const Cosine<double>& top,
-                                                       const Cosine<double>& bottom, const Shape& shape) {
-  const auto& joint = shape.joint;
-  if (joint && bottom.cos_theta < joint->cosine && joint->cosine < top.cos_theta) {
-    const Cosine<double> middle{joint->cosine, 1 - joint->cosine};
-    std::vector<Substitution> result = between(top, middle);
-    if (joint->is_kink) result.front().power_ = 2;
-    result.push_back(between(middle, bottom).front());
-    return result;
-  }
-  Substitution result(Metric{}, Shape{});
-  result.near_ = top.one_minus_cos;
-  result.length_ = bottom.one_minus_cos - top.one_minus_cos;
-  result.rest_ = bottom.cos_theta;
-  result.total_ = result.length_;
-  return {result};
-}
-
-inline std::vector<Substitution> Substitution::panels(const Metric& metric, const Shape& shape) {
-  const Domain& domain = metric.domain;
-  const auto& joint = shape.joint;
-  if (!joint || joint->cosine <= domain.lower || joint->cosine >= domain.upper) return {{metric, shape}};
-  Metric above = metric, below = metric;
-  above.domain.lower = below.domain.upper = joint->cosine;
-  std::vector<Substitution> result{{above, {}}, {below, {}}};
-  if (joint->is_kink) result.front().power_ = 2;  // the square root of a square is smooth
-  return result;
-}
 
 inline Substitution::Substitution(const Metric& metric, const Shape& shape) : measure_(metric.measure) {
   const long double top = 1.0L - static_cast<long double>(metric.domain.upper);
@@ -149,9 +93,6 @@ inline Substitution::Substitution(const Metric& metric, const Shape& shape) : me
   near_ = variable(top);
   length_ = variable(is_cut ? cut : bottom) - near_;
   rest_ = metric.domain.lower == 0 && !is_cut ? 0.0L : variable(1.0L) - near_ - length_;
-  total_ = variable(bottom) - near_;
-  if (measure_ == Measure::cosine_weighted)
-    total_ *= ((1 - top) + (1 - bottom)) / 2;  // upper^2/2 - lower^2/2
   const bool is_singular = shape.end_power != std::floor(shape.end_power);
   if (is_singular && !is_cut && metric.domain.lower == 0) {
     power_ = smoothing_power(shape.end_power);

@@ -274,14 +274,14 @@ void require_residual(const ReadStudy& study) {
     if (!isfinite(form) || !isfinite(target)) continue;
     ++compared;
     if (!(abs(given - (form - target)) <= rounding))
-      throw StudyFault({"residual"}, quoted(study.axes.front().variable + " = " +
+      throw StudyFault({"error"}, quoted(study.axes.front().variable + " = " +
                                             to_text(static_cast<double>(at(study.axes.front().variable)))) +
                                          ": it is " + to_text(static_cast<double>(given)) +
                                          ", but form - target is " +
                                          to_text(static_cast<double>(Decimal50(form - target))));
   }
   if (compared == 0)
-    throw StudyFault({"residual"}, ": form and target have no finite value with which it could be compared");
+    throw StudyFault({"error"}, ": form and target have no finite value with which it could be compared");
 }
 
 std::optional<double> value_of_numbers(const std::string& text) {
@@ -359,7 +359,7 @@ ReadStudy read_formulas(const Study& study) {
     FormulaNames of_residual = names;
     of_residual.takes_parameters = true;
     of_residual.parameters = form.parameters;
-    result.residual = read({"residual"}, study.residual, of_residual).formula;
+    result.residual = read({"error"}, study.residual, of_residual).formula;
   }
 
   for (const Held& held : study.held) {

@@ -54,6 +54,22 @@ TEST_F(StudyFolder, EveryVerbTakesAFile) {
   expect_has(code.out, "float line(float x) {\n  return -0.125 + 1.0 * x;\n}\n");
 }
 
+TEST_F(StudyFolder, AnErrorOfAFormIsItsDifferenceOrRefused) {
+  const auto study_with = [](const std::string& error) {
+    return "schema = 1\nid = \"small\"\n[over]\nx = \"0:1\"\n[target]\nformula = \"x^2\"\n[[form]]\nid = "
+           "\"line\"\nformula = \"a x\"\nerror = \"" +
+           error + "\"\n";
+  };
+  write("small.toml", study_with("x (a - x)"));
+  EXPECT_NEAR(json_of({"fit", path("small.toml")})["parameters"]["a"].get<double>(), 0.75, 1e-15);
+  write("small.toml", study_with("x (a + x)"));
+  const Outcome refused = run_command_line({"fit", path("small.toml")});
+  EXPECT_EQ(refused.exit_code, 2);
+  expect_has(refused.err, "small.toml'");
+  expect_has(refused.err, "error 'x = ");
+  expect_has(refused.err, ", but form - target is ");
+}
+
 TEST_F(StudyFolder, IsSearchedForItsStudies) {
   const std::string folder = path(".");
   EXPECT_EQ(json_of({"fit", "line", "--studies", folder})["published"][0]["verdict"], "undecidable");

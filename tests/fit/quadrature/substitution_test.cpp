@@ -58,13 +58,6 @@ TEST(Substitution, CosineAndComplementKeepTheirDigits) {
   }
 }
 
-TEST(Substitution, BetweenTwoPlacesKeepsBothEnds) {
-  const auto substitution = Substitution::between({1, 0}, {1e-24, 1}).front();
-  EXPECT_EQ(substitution.at(1.0).cosine.cos_theta, 1e-24) << "1 - (1 - 1e-24) would be 0";
-  const auto narrow = Substitution::between({1, 0}, {1 - 1e-12, 1e-12}).front();
-  EXPECT_EQ(narrow.at(1.0).cosine.one_minus_cos, 1e-12);
-}
-
 TEST(Substitution, EndsAreTheEndsOfTheDomainOrTheCut) {
   for (const auto& [metric, shape] : cases) {
     const Substitution substitution(metric, shape);
@@ -99,18 +92,6 @@ TEST(Substitution, DensityIsThatOfTheMeasure) {
   }
 }
 
-TEST(Substitution, TotalIsTheMeasureOfTheWholeDomain) {
-  EXPECT_EQ(Substitution({.measure = Measure::cosine}, {.concentration = 1e6}).total(), 1);
-  EXPECT_NEAR(static_cast<double>(Substitution({.measure = Measure::angle}, {.concentration = 1e6}).total()),
-              std::acos(0.0), 1e-16);
-  EXPECT_EQ(Substitution({.measure = Measure::cosine, .domain = {0.25, 0.75}}, {}).total(), 0.5);
-  EXPECT_EQ(Substitution({.measure = Measure::cosine_weighted}, {.concentration = 1e6}).total(), 0.5);
-  EXPECT_EQ(Substitution({.measure = Measure::cosine_weighted, .domain = {0.25, 0.75}}, {}).total(), 0.25);
-  EXPECT_NEAR(
-      static_cast<double>(Substitution({.measure = Measure::angle, .domain = {0.25, 0.75}}, {}).total()),
-      std::acos(0.25) - std::acos(0.75), 1e-15);
-}
-
 TEST(Gauss, RulesIntegratePolynomialsExactly) {
   for (const unsigned size : gauss_sizes) {
     std::vector<std::pair<long double, long double>> nodes;
@@ -140,30 +121,6 @@ TEST(Substitution, FractionalPowersConvergeFast) {
   };
   EXPECT_LT(integral({.end_power = 0.1}), 1e-15);
   EXPECT_GT(integral({.end_power = 0}), 1e-6);
-}
-
-// The integral of sqrt(c - 1/3) above 1/3 and of nothing below: (2/3) (2/3)^(3/2).
-TEST(Substitution, PanelsMeetAtAKinkAndSmoothItsRoot) {
-  const auto integral = [](const Shape& shape) {
-    long double sum = 0;
-    for (const Substitution& panel : Substitution::panels({}, shape)) {
-      visit_gauss_rule<long double>(12, [&](long double x, long double w) {
-        const auto place = panel.at(x);
-        sum += w * place.density * std::sqrt(std::max(0.0L, place.cosine.cos_theta - 1.0L / 3));
-      });
-    }
-    const long double truth = std::pow(2.0L / 3, 2.5L);
-    return std::abs(static_cast<double>(sum / truth - 1));
-  };
-  EXPECT_LT(integral({.joint = Shape::Joint{1.0 / 3, true}}), 1e-15);
-  EXPECT_GT(integral({}), 1e-4);
-  EXPECT_EQ(Substitution::panels({.domain = {0.5, 1}}, {.joint = Shape::Joint{1.0 / 3, true}}).size(), 1U)
-      << "a kink outside the domain";
-  long double total = 0;
-  for (const auto& panel :
-       Substitution::panels({.measure = Measure::angle}, {.joint = Shape::Joint{1.0 / 3, true}}))
-    total += panel.total();
-  EXPECT_NEAR(static_cast<double>(total), std::acos(0.0), 1e-16);
 }
 
 }  // namespace
