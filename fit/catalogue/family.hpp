@@ -11,9 +11,10 @@
 #include "fit/catalogue/surface.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/errors/extremum.hpp"
+#include "fit/least_squares/status.hpp"
+#include "fit/minimax/alternation.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
-#include "fit/solution.hpp"
 
 /// The forms that are fitted by name, and their fits. Each is a form of a study of studies/catalogue.
 namespace shadefit {
@@ -31,7 +32,16 @@ struct Setting {
 };
 
 /// The result of a fit: constants, their digits, and the errors of the fitted curve.
-struct Fit : Solution {
+struct Fit {
+  std::vector<double> parameters;  ///< in the order of the family; an answer only if `status` is converged
+  Status status = Status::not_converged;
+  int digits = 0;  ///< correct digits of the worst parameter, at most 14
+  /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2), with the error of the
+  /// metric. A constant weight changes nothing. Never above the largest error.
+  double rms_error = 0;
+  std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest weight * |error|
+  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit
+  std::string why = {};  ///< of a fit that did not converge, if its status is not enough
   const Family* family = nullptr;
   std::optional<double> exponent = std::nullopt;  ///< empty where the family has none
   Surface surface = {};                           ///< of a Fresnel form

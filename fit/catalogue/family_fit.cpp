@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 #include "fit/catalogue/catalogue_study.hpp"
@@ -31,31 +32,32 @@ std::vector<std::vector<double>> free_starts(const Family& family, const Setting
   return starts;
 }
 
-/// The fit of a study as one of a family.
-Solution solution_of(const StudyFit& fit, const Family& family, const Setting& setting,
-                     const std::vector<std::optional<double>>& given) {
-  Solution solution{.parameters = std::vector<double>(given.size()),
-                    .status = fit.status,
-                    .digits = fit.digits,
-                    .rms_error = fit.rms_error,
-                    .level = fit.level,
-                    .alternation = fit.alternation,
-                    .why = fit.why};
-  auto next = fit.parameters.begin();
+/// Takes the fit of a study, whose free parameters are those without a given value.
+void take(Fit& fit, const StudyFit& found, const std::vector<std::optional<double>>& given) {
+  fit.status = found.status;
+  fit.digits = found.digits;
+  fit.level = found.level;
+  fit.why = found.why;
+  auto next = found.parameters.begin();
   for (std::size_t i = 0; i < given.size(); ++i)
-    solution.parameters[i] = given[i] ? *given[i] : next != fit.parameters.end() ? *next++ : 0;
-  std::ranges::reverse(solution.alternation);
-  for (AlternationPoint& point : solution.alternation)
-    point.at = cosine_at(family, setting, point.at.cos_theta);
-  return solution;
+    fit.parameters[i] = given[i] ? *given[i] : next != found.parameters.end() ? *next++ : 0;
+  const Setting setting = setting_of(fit);
+  for (AlternationPoint point : std::views::reverse(found.alternation)) {
+    point.at = cosine_at(*fit.family, setting, point.at.cos_theta);
+    fit.alternation.push_back(point);
+  }
 }
 
-Solution solve(const Family& family, const Setting& setting, const Metric& metric) {
+void solve(Fit& fit) {
+  const Family& family = *fit.family;
+  const Setting setting = setting_of(fit);
+  const Metric& metric = fit.metric;
   const auto ends = ends_of(family, setting, metric.domain, metric.error);
-  if (!ends)
-    return {.parameters = std::vector<double>(family.parameters.size()),
-            .status = Status::not_finite,
-            .why = "a relative error has no meaning on this domain"};
+  if (!ends) {
+    fit.status = Status::not_finite;
+    fit.why = "a relative error has no meaning on this domain";
+    return;
+  }
   StudyObjective asked{.study = study_of(family, setting, metric, *ends),
                        .norm = metric.norm,
                        .constraints = metric.constraints};
@@ -64,13 +66,13 @@ Solution solve(const Family& family, const Setting& setting, const Metric& metri
   StudyFit found;
   try {
     found = fit_from_starts(asked, free_starts(family, setting, given));
-    found.rms_error /= scale_of_weight(asked.study, metric.weight);
+    fit.rms_error = found.rms_error / scale_of_weight(asked.study, metric.weight);
   } catch (const Infeasible& error) {
     fail(found, Status::infeasible, in_cosines(family, setting, error.why));
   } catch (const UserError& error) {
     fail(found, Status::not_finite, error.what());
   }
-  return solution_of(found, family, setting, given);
+  take(fit, found, given);
 }
 
 /// What a relative error is relative to.
@@ -114,11 +116,10 @@ Objective Family::objective(const Setting& setting, const Metric& metric) const 
 }
 
 Fit Family::fit(const Setting& setting, const Metric& metric) const {
-  Fit result{solve(*this, setting, metric)};
-  result.family = this;
+  Fit result{.parameters = std::vector<double>(parameters.size()), .family = this, .metric = metric};
   if (has_exponent()) result.exponent = setting.exponent;
   if (is_fresnel) result.surface = setting.surface;
-  result.metric = metric;
+  solve(result);
   result.relative_to = denominator_of(*this, setting.surface);
   if (result.status != Status::converged) return result;
   add_errors(result);

@@ -24,7 +24,6 @@ inline constexpr double half_way = 0.5;
 struct ExactPlace {
   Origin side = Origin::peak;
   double distance = 0;
-  bool operator==(const ExactPlace&) const = default;
 };
 
 /// The cosines between two distances from one side.
@@ -32,7 +31,6 @@ struct Box {
   Origin side = Origin::peak;
   double lower = 0;
   double upper = 0;
-  bool operator==(const Box&) const = default;
 };
 
 /// The cosine at a distance from a side, in any scalar.
@@ -40,12 +38,6 @@ template <class T>
 Cosine<T> cosine_at(Origin side, const T& distance) {
   const T rest = integer<T>(1) - distance;
   return side == Origin::peak ? Cosine<T>{rest, distance} : Cosine<T>{distance, rest};
-}
-
-/// The place nearest to a cosine, measured from the end that is nearer to it.
-inline ExactPlace place_of(const Cosine<double>& c) {
-  return c.one_minus_cos <= half_way ? ExactPlace{Origin::peak, c.one_minus_cos}
-                                     : ExactPlace{Origin::horizon, c.cos_theta};
 }
 
 /// A domain as one or two boxes. 1 - c is exact for a double c in [1/2, 1], so the boxes are exactly the
@@ -57,13 +49,6 @@ inline std::vector<Box> boxes_of(const Domain& domain) {
   if (domain.upper > half_way)
     boxes.push_back({Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half_way)});
   return boxes;
-}
-
-/// Whether a place lies in one of the boxes.
-inline bool is_inside(const ExactPlace& place, const std::vector<Box>& boxes) {
-  return std::ranges::any_of(boxes, [&](const Box& box) {
-    return box.side == place.side && box.lower <= place.distance && place.distance <= box.upper;
-  });
 }
 
 }  // namespace shadefit

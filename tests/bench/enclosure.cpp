@@ -1,6 +1,5 @@
 #include "tests/bench/enclosure.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <queue>
 
@@ -19,17 +18,13 @@ struct BoundedBox {
 /// The search itself.
 class LargestSearch {
  public:
-  LargestSearch(const EnclosedFunction& f, const EnclosureOptions& options)
-      : f_(f), options_(options), lower_(options.least) {}
+  LargestSearch(const EnclosedFunction& f, double width) : f_(f), width_(width) {}
 
   Enclosure search(const std::vector<Box>& domain) {
+    constexpr int most_boxes = 20000;
     for (const Box& box : domain) raise({box.side, box.lower});
-    if (options_.hint && is_inside(*options_.hint, domain)) raise(*options_.hint);
     for (const Box& box : domain) add(box);
-    bool is_reached = false;
-    while (!(is_reached = boxes_.top().bound - lower_ <= options_.width * lower_) &&
-           static_cast<int>(boxes_.size()) < options_.boxes) {
-      options_.checkpoint();
+    while (boxes_.top().bound - lower_ > width_ * lower_ && static_cast<int>(boxes_.size()) < most_boxes) {
       const Box box = boxes_.top().box;
       const double centre = box.lower + (box.upper - box.lower) / 2;
       if (!(box.lower < centre && centre < box.upper)) break;  // lower and upper are neighbouring doubles
@@ -37,7 +32,7 @@ class LargestSearch {
       add({box.side, box.lower, centre});
       add({box.side, centre, box.upper});
     }
-    return collected(is_reached);
+    return {lower_, std::fmax(boxes_.top().bound, lower_)};
   }
 
  private:
@@ -66,63 +61,20 @@ class LargestSearch {
   /// Evaluates f at a place and raises the lower bound if |f| is larger.
   Interval raise(const ExactPlace& place) {
     const Interval value = f_(cosine_at(place.side, Interval(place.distance)));
-    const double magnitude = smallest_magnitude_in(value);
-    if (magnitude > lower_) {
-      lower_ = magnitude;
-      attained_ = place;
-    }
+    lower_ = std::fmax(lower_, smallest_magnitude_in(value));
     return value;
   }
 
-  Enclosure collected(bool is_reached) {
-    Enclosure result{.lower = lower_,
-                     .upper = std::fmax(boxes_.top().bound, lower_),
-                     .attained = attained_,
-                     .is_reached = is_reached};
-    std::vector<BoundedBox> all;
-    for (; !boxes_.empty(); boxes_.pop()) all.push_back(boxes_.top());
-    std::ranges::sort(all, [](const BoundedBox& a, const BoundedBox& b) {
-      if (a.box.side != b.box.side) return a.box.side == Origin::horizon;
-      return (a.box.side == Origin::horizon) == (a.box.lower < b.box.lower);
-    });
-    for (const auto& [box, bound] : all) {
-      result.boxes.push_back(box);
-      if (bound > lower_) append(result.places, box);
-    }
-    // If the upper bound of a box equals the attained maximum exactly, no box is left above it.
-    if (result.places.empty())
-      result.places.push_back({attained_.side, attained_.distance, attained_.distance});
-    return result;
-  }
-
-  /// Merges adjacent places and places with a small gap. Around a maximum, the box that contains it may be
-  /// finished before its neighbours of about the same size.
-  static void append(std::vector<Box>& places, const Box& box) {
-    if (!places.empty() && places.back().side == box.side) {
-      Box& last = places.back();
-      const Box both{box.side, std::fmin(last.lower, box.lower), std::fmax(last.upper, box.upper)};
-      constexpr double little = 8;  // gaps up to this many times the wider place are merged
-      const double widest = std::fmax(last.upper - last.lower, box.upper - box.lower);
-      const double gap = both.upper - both.lower - (last.upper - last.lower) - (box.upper - box.lower);
-      if (gap <= little * widest) {
-        last = both;
-        return;
-      }
-    }
-    places.push_back(box);
-  }
-
   const EnclosedFunction& f_;
-  EnclosureOptions options_;
+  double width_;
   std::priority_queue<BoundedBox> boxes_;
-  double lower_;
-  ExactPlace attained_;
+  double lower_ = 0;
 };
 
 }  // namespace
 
-Enclosure enclose_largest(const EnclosedFunction& f, const Domain& domain, const EnclosureOptions& options) {
-  return LargestSearch(f, options).search(boxes_of(domain));
+Enclosure enclose_largest(const EnclosedFunction& f, const Domain& domain, double width) {
+  return LargestSearch(f, width).search(boxes_of(domain));
 }
 
 }  // namespace shadefit

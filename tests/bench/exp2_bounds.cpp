@@ -88,7 +88,7 @@ Enclosure largest_error(const Coefficients<N>& coefficients) {
     return exp2_relative_error(r, degree, d, exp2_tail(r, degree, rest_of_tail(r)), exp2(T(-r)));
   };
   // a tenth of the last digit of a printed bound
-  return enclose_largest(error, Domain{}, {.width = 1e-5});
+  return enclose_largest(error, Domain{}, 1e-5);
 }
 
 template <std::size_t N, class Format>

@@ -185,17 +185,20 @@ void expect_same(const Family& family, double exponent, const Fit& expected, con
   }
 }
 
-// Both worlds are one: a family's own formulas, given as text, have the family's constants.
+// A family's plain formulas, given as text over c, have the family's constants. Text knows no other variable
+// for a lobe: where a sharp one loses digits, it says so, and all nodes may be where the lobe is 0.
 TEST(Study, HasTheConstantsOfEveryFamily) {
   for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
     for (const Family& family : families()) {
-      for (const double exponent : exponents_of(family, {3, 7.5, 15, 100, 1000})) {
+      for (const double exponent : exponents_of(family, {3, 7.5, 15, 100, 1000, 1e4, 1e5, 1e6, 1e8})) {
         const Fit expected = family.fit(Setting(exponent), Metric{.norm = norm});
         if (expected.status != Status::converged) continue;
         const StudyFit fit = fit_of(study_of(family, exponent), norm);
-        const std::string what = std::string(family.id) + " at " + to_text(exponent);
+        const std::string what = family.id + " at " + to_text(exponent);
+        if (exponent > 1000 && fit.status != Status::converged) continue;
         ASSERT_EQ(name(fit.status), "converged") << what << ": " << fit.why;
         expect_same(family, exponent, expected, fit);
+        if (exponent > 1000) continue;
         // A lobe of exponent 1000 loses 3 digits: c^k amplifies the rounding of c.
         EXPECT_GE(fit.digits, 10) << what;
         EXPECT_NEAR(fit.rms_error / expected.rms_error, 1, 1e-9) << what;
@@ -203,22 +206,6 @@ TEST(Study, HasTheConstantsOfEveryFamily) {
         if (expected.level) {
           EXPECT_NEAR(*fit.level / *expected.level, 1, 1e-12) << what;
         }
-      }
-    }
-  }
-}
-
-// Text knows no substitution for a lobe. Where it loses digits, it says so.
-TEST(Study, ClaimsNoDigitThatIsWrongAtLargeExponents) {
-  for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
-    for (const Family& family : families()) {
-      if (!family.has_exponent()) continue;
-      for (const double exponent : {1e4, 1e5, 1e6, 1e8}) {
-        const Fit expected = family.fit(Setting(exponent), Metric{.norm = norm});
-        // All nodes may be where the lobe is 0: then it is degenerate.
-        const StudyFit fit = fit_of(study_of(family, exponent), norm);
-        if (expected.status == Status::converged && fit.status == Status::converged)
-          expect_same(family, exponent, expected, fit);
       }
     }
   }
