@@ -23,7 +23,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/shadefitConfig.cmake ${PROJECT_BINARY_
 
 if(TARGET shadefit_fit)
   # The folders of the proofs belong to a library that is not installed, and so do these headers.
-  set(shadefit_elsewhere better input ledger proof rounding study_proof format.hpp gpu_model.hpp rounded_interval.hpp)
+  set(shadefit_elsewhere better bounds claims input ledger proof rounding format.hpp read_families.hpp read_study_file.hpp toml_reader.hpp gpu_model.hpp rounded_interval.hpp)
   list(TRANSFORM shadefit_elsewhere REPLACE "(.+)" "PATTERN;\\1;EXCLUDE")
   shadefit_install_library(fit ${shadefit_elsewhere})
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCeresHeaders.cmake DESTINATION ${shadefit_package} COMPONENT fit)

@@ -7,7 +7,7 @@
 
 #include "fit/errors/effect.hpp"
 #include "lint/expression/compare.hpp"
-#include "lint/known/known_set.hpp"
+#include "lint/scan/known_set.hpp"
 #include "lint/scan/sites.hpp"
 
 /// Grades the constants of a site.

@@ -7,8 +7,8 @@
 
 #include "fit/support/checkpoint.hpp"
 #include "lint/grade.hpp"
-#include "lint/known/known_set.hpp"
 #include "lint/scan/digit_index.hpp"
+#include "lint/scan/known_set.hpp"
 #include "lint/scan/literals.hpp"
 
 /// Finds and judges the published constants of one source text.

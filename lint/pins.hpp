@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lint/grade.hpp"
-#include "lint/known/known_set.hpp"
+#include "lint/scan/known_set.hpp"
 
 /// Marks that say which published constant a number is, and how right such a number is.
 namespace shadefit::lint {

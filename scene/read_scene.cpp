@@ -6,9 +6,9 @@
 #include <iterator>
 
 #include "fit/support/user_error.hpp"
-#include "scene/files/uri.hpp"
 #include "scene/gltf/read_gltf.hpp"
-#include "scene/mtl/read_mtl.hpp"
+#include "scene/gltf/read_mtl.hpp"
+#include "scene/materials/uri.hpp"
 
 namespace shadefit::scene {
 namespace {

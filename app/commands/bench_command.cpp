@@ -17,7 +17,7 @@
 #include "reports/io/escape.hpp"
 #include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 /// The subcommand `bench`.
 namespace shadefit {

@@ -13,10 +13,10 @@
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/io/joined.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/table/writers.hpp"
 
 /// The subcommand `better`.
 namespace shadefit {

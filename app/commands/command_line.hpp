@@ -6,7 +6,7 @@
 #include "app/options/outcome.hpp"
 #include "app/output/progress.hpp"
 #include "fit/support/checkpoint.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 /// The command `shadefit`: arguments in, texts and exit code out.
 namespace shadefit {

@@ -22,13 +22,13 @@
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/report.hpp"
 #include "reports/studies/study_rows.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -10,7 +10,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 /// `bench --exhaustive`.
 namespace shadefit {

@@ -14,12 +14,12 @@
 #include "reports/figures/figures.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/alternation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/rounded.hpp"
 #include "reports/rows/sensitivities.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

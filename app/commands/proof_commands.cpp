@@ -4,20 +4,20 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
+#include "fit/bounds/family_subject.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/input/bounded_file.hpp"
 #include "fit/proof/bound_width.hpp"
-#include "fit/study_proof/family_subject.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/statement.hpp"
 #include "reports/studies/study_certificate_json.hpp"
 #include "reports/studies/study_proof_rows.hpp"
-#include "reports/table/writers.hpp"
 
 /// The subcommands `certify` and `verify`, of a family and of a study.
 namespace shadefit {

@@ -13,7 +13,7 @@
 #include "reports/io/files.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/read_scene.hpp"
 

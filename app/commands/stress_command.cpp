@@ -7,8 +7,8 @@
 #include "fit/stress/forms.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/stress_tables.hpp"
-#include "reports/table/writers.hpp"
 
 /// The subcommand `stress`.
 namespace shadefit {

@@ -11,12 +11,12 @@
 #include "fit/support/user_error.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_extras.hpp"
 #include "reports/studies/study_figure.hpp"
 #include "reports/studies/study_proof_rows.hpp"
 #include "reports/studies/study_rows.hpp"
-#include "reports/table/writers.hpp"
 
 /// `fit` of a study.
 namespace shadefit {

@@ -17,16 +17,16 @@
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/recomputed_rows.hpp"
 #include "reports/findings/baseline.hpp"
-#include "reports/gallery/gallery.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
+#include "reports/studies/gallery.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_figure.hpp"
 #include "reports/studies/study_report.hpp"
-#include "reports/table/writers.hpp"
 
 /// `better`, `explain`, `run` and `check` of a study.
 namespace shadefit {

@@ -6,8 +6,8 @@
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/measure_device.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/table/table.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/table.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit {
 

@@ -13,8 +13,8 @@
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/joined.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/fit_json.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/options/outcome.hpp"
 #include "app/output/progress.hpp"
 #include "bench/forms/float_errors.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace CLI {
 class App;

@@ -6,8 +6,8 @@
 
 #include "app/options/option_values.hpp"
 #include "approx/records/optical_constants.hpp"
+#include "fit/bounds/study_certificate.hpp"
 #include "fit/catalogue/study_parts.hpp"
-#include "fit/study_proof/study_certificate.hpp"
 
 namespace shadefit {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/options/options.hpp"
 #include "approx/records/record.hpp"
+#include "fit/bounds/family_subject.hpp"
 #include "fit/catalogue/family.hpp"
-#include "fit/study_proof/family_subject.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Interprets the options of `fit`, `certify` and similar commands for a family. Each function throws

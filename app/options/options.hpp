@@ -14,7 +14,7 @@
 #include "fit/verdicts/verdict.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/findings/finding.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 /// The options of the commands, parsed (app/commands/declare_commands.cpp).
 namespace shadefit {

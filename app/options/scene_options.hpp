@@ -6,7 +6,7 @@
 
 #include "app/options/outcome.hpp"
 #include "reports/code/shader_code.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace CLI {

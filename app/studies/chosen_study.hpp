@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "app/options/options.hpp"
+#include "fit/bounds/study_certificate.hpp"
 #include "fit/catalogue/study_file.hpp"
 #include "fit/study/study_fit.hpp"
-#include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/checkpoint.hpp"
 
 namespace shadefit {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "fit/bounds/running_narrow.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/gpu_model.hpp"
-#include "fit/study_proof/running_narrow.hpp"
-#include "fit/tape/tape_program.hpp"
 #include "reports/code/shader_code.hpp"
 
 /// The value of a form in double, and how far a device's result may be from it.

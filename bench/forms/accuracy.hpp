@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "fit/support/checkpoint.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// The errors of every form: the table `accuracy.csv`.
 namespace shadefit::forms {

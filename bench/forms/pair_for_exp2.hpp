@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fit/least_squares/status.hpp"
+#include "fit/steps/status.hpp"
 
 /// The Fresnel pair, fitted for a polynomial instead of exp2.
 namespace shadefit {

@@ -9,7 +9,7 @@
 
 #include "bench/solver/benchmarks.hpp"
 #include "fit/catalogue/family.hpp"
-#include "fit/least_squares/digits.hpp"
+#include "fit/steps/digits.hpp"
 #include "fit/support/sweep.hpp"
 
 /// The fits of the benchmarks.

@@ -4,7 +4,7 @@
 
 #include "approx/fresnel.hpp"
 #include "bench/solver/benchmarks.hpp"
-#include "fit/study_proof/family_subject.hpp"
+#include "fit/bounds/family_subject.hpp"
 
 namespace shadefit::bench {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "bench/solver/benchmarks.hpp"
 #include "fit/quadrature/gauss.hpp"
+#include "fit/squares/prepared_study.hpp"
+#include "fit/squares/solve_study.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study_squares/prepared_study.hpp"
-#include "fit/study_squares/solve_study.hpp"
 
 /// The Fresnel pair as a study.
 namespace shadefit::bench {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "reports/io/escape.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include "bench/tradeoff/trade.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/io/files.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// A bench as tables, pictures and files.
 namespace shadefit::bench {

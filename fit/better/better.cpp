@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "approx/fresnel.hpp"
+#include "fit/bounds/family_subject.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_proof/family_subject.hpp"
-#include "fit/study_squares/rules.hpp"
 #include "fit/verdicts/refit.hpp"
 
 namespace shadefit {

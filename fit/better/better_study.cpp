@@ -6,9 +6,9 @@
 
 #include "approx/scalar.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_squares/rules.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -4,9 +4,9 @@
 
 #include <set>
 
+#include "fit/bounds/prove_shape.hpp"
+#include "fit/bounds/study_integral.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/study_proof/prove_shape.hpp"
-#include "fit/study_proof/study_integral.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fit/better/better.hpp"
-#include "fit/integrals/normalisation_check.hpp"
-#include "fit/integrals/reflectance.hpp"
+#include "fit/claims/normalisation_check.hpp"
+#include "fit/claims/reflectance.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/fresnel_chain.hpp"

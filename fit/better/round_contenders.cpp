@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "fit/better/prove_contenders.hpp"
+#include "fit/bounds/rounding_bound.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/rounding/study_in_format.hpp"
-#include "fit/study_proof/rounding_bound.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "fit/formula/tape_program.hpp"
 #include "fit/study/even_grid.hpp"
 #include "fit/study/measured_rows.hpp"
-#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "approx/scalar.hpp"
-#include "fit/study_proof/prove_shape.hpp"
+#include "fit/bounds/prove_shape.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "fit/fit_study.hpp"
+#include "fit/catalogue/fit_study.hpp"
+#include "fit/squares/prepared_study.hpp"
+#include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_squares/prepared_study.hpp"
-#include "fit/study_squares/rules.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
 

@@ -11,10 +11,10 @@
 #include "fit/catalogue/surface.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/errors/extremum.hpp"
-#include "fit/least_squares/status.hpp"
-#include "fit/minimax/alternation.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/steps/alternation.hpp"
+#include "fit/steps/status.hpp"
 
 /// The forms that are fitted by name, and their fits. Each is a form of a study of studies/catalogue.
 namespace shadefit {

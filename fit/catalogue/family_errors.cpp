@@ -5,11 +5,11 @@
 
 #include "fit/catalogue/catalogue_study.hpp"
 #include "fit/catalogue/family.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "fit/catalogue/catalogue_study.hpp"
 #include "fit/catalogue/family.hpp"
-#include "fit/fit_study.hpp"
-#include "fit/study_exchange/constrained_study.hpp"
+#include "fit/catalogue/fit_study.hpp"
+#include "fit/exchange/constrained_study.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

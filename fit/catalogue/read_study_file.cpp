@@ -1,7 +1,5 @@
 #include "fit/catalogue/read_study_file.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>

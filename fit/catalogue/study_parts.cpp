@@ -1,7 +1,5 @@
 #include "fit/catalogue/study_parts.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

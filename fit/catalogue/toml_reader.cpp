@@ -1,7 +1,5 @@
 #include "fit/catalogue/toml_reader.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "fit/support/format.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/bounds/family_subject.hpp"
 #include "fit/scalars/narrow_result.hpp"
-#include "fit/study_proof/family_subject.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 

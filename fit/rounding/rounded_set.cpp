@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "fit/bounds/rounding_bound.hpp"
+#include "fit/bounds/study_certificate.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/study_proof/rounding_bound.hpp"
-#include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/hex_float.hpp"
 
 namespace shadefit {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "fit/formula/tape_program.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/narrow_result.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/checkpoint.hpp"
-#include "fit/tape/tape_program.hpp"
 
 /// The form of a study in a format: every constant, number, operation and function rounded to nearest.
 namespace shadefit {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/formula/tape_program.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/rounding/lattice_search.hpp"
 #include "fit/rounding/study_in_format.hpp"
@@ -16,7 +17,6 @@
 #include "fit/study/even_grid.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/tape/tape_program.hpp"
 
 /// The problems that `search_lattice` solves for a study: the constants of a lattice with the smallest
 /// largest error of a form.

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "fit/formula/tape_program.hpp"
 #include "fit/quadrature/gauss.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/support/user_error.hpp"
-#include "fit/tape/tape_program.hpp"
 
 /// The nodes of one variable of a study.
 namespace shadefit {

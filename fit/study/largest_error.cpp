@@ -8,10 +8,10 @@
 #include <span>
 #include <utility>
 
+#include "fit/formula/batch.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/tape/batch.hpp"
-#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {

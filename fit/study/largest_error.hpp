@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "fit/formula/tape.hpp"
 #include "fit/study/study_fit.hpp"
 #include "fit/study/study_nodes.hpp"
-#include "fit/tape/tape.hpp"
 
 namespace shadefit {
 

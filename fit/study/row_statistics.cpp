@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/least_squares/levenberg.hpp"
+#include "fit/steps/levenberg.hpp"
 #include "fit/study/projection.hpp"
 #include "fit/support/root.hpp"
 

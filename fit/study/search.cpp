@@ -11,9 +11,9 @@
 #include <optional>
 #include <string>
 
-#include "fit/least_squares/levenberg.hpp"
 #include "fit/quadrature/fit_rules.hpp"
 #include "fit/scalars/likely_sizes.hpp"
+#include "fit/steps/levenberg.hpp"
 #include "fit/study/likely_starts.hpp"
 #include "fit/study/projection.hpp"
 #include "fit/study/require_values.hpp"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/least_squares/sums.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/steps/sums.hpp"
 #include "fit/study/measured_rows.hpp"
 #include "fit/support/user_error.hpp"
 

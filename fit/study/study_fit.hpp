@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "fit/least_squares/status.hpp"
-#include "fit/minimax/alternation.hpp"
 #include "fit/quadrature/metric.hpp"
+#include "fit/steps/alternation.hpp"
+#include "fit/steps/status.hpp"
 #include "fit/study/row_statistics.hpp"
 
 /// What comes out of a fit of a study.

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "fit/formula/tape_program.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/study/axis_nodes.hpp"
 #include "fit/support/user_error.hpp"
-#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "fit/least_squares/sums.hpp"
+#include "fit/formula/batch.hpp"
+#include "fit/steps/sums.hpp"
 #include "fit/study/study.hpp"
 #include "fit/study/study_nodes.hpp"
-#include "fit/tape/batch.hpp"
 
 /// The error of a study as tapes, and its sums over nodes.
 namespace shadefit {

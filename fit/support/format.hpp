@@ -7,3 +7,4 @@
 #define FMT_HEADER_ONLY
 #endif
 #include <fmt/format.h>
+#include <fmt/ranges.h>

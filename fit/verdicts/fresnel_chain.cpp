@@ -4,9 +4,9 @@
 
 #include "approx/encoding.hpp"
 #include "fit/catalogue/catalogue_study.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/tape/tape_program.hpp"
 #include "fit/verdicts/refit.hpp"
 
 namespace shadefit {

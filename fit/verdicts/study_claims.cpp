@@ -6,10 +6,10 @@
 
 #include "approx/scalar.hpp"
 #include "fit/quadrature/fit_rules.hpp"
+#include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_squares/rules.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -10,19 +10,19 @@
 #include <span>
 #include <utility>
 
-#include "fit/bounded_study.hpp"
+#include "fit/catalogue/bounded_study.hpp"
+#include "fit/exchange/minimax_study.hpp"
+#include "fit/formula/tape_program.hpp"
+#include "fit/panels/features.hpp"
+#include "fit/panels/limits.hpp"
 #include "fit/scalars/hinges.hpp"
+#include "fit/squares/rules.hpp"
+#include "fit/squares/solve_in_units.hpp"
+#include "fit/squares/solve_study.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_exchange/minimax_study.hpp"
-#include "fit/study_panels/features.hpp"
-#include "fit/study_panels/limits.hpp"
-#include "fit/study_squares/rules.hpp"
-#include "fit/study_squares/solve_in_units.hpp"
-#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/decimal.hpp"
-#include "fit/tape/tape_program.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {

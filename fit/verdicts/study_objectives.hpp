@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit_study.hpp"
+#include "fit/catalogue/fit_study.hpp"
 
 /// The objectives under which the constants of a study may have been fitted.
 namespace shadefit {

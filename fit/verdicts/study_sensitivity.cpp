@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_squares/rules.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

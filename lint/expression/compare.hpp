@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lint/expression/source_expression.hpp"
-#include "lint/known/known_set.hpp"
+#include "lint/scan/known_set.hpp"
 
 /// Whether the expression of a site is the form of its set.
 namespace shadefit::lint {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/known/known_set.hpp"
+#include "lint/scan/known_set.hpp"
 
 /// The curves of an expression, compared with those of forms.
 namespace shadefit::lint {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "lint/known/known_set.hpp"
 #include "lint/scan/digit_match.hpp"
+#include "lint/scan/known_set.hpp"
 #include "lint/scan/literals.hpp"
 
 /// Finds the published constants that a number may stand for.

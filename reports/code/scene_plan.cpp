@@ -9,7 +9,7 @@
 #include "fit/support/decimal.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit {
 namespace {

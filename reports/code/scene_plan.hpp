@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "reports/table/table.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/table.hpp"
+#include "reports/io/writers.hpp"
 #include "scene/plan/plan.hpp"
 
 /// The plan of a scene as text, Markdown, CSV and JSON.

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// A figure of the report: numbers, and how to draw them.
 namespace shadefit {

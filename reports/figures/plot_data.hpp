@@ -6,7 +6,7 @@
 
 #include "approx/cosine.hpp"
 #include "fit/verdicts/refit.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// Helpers for the tables behind figures.
 namespace shadefit {

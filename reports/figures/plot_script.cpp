@@ -8,7 +8,7 @@
 
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit {
 namespace {

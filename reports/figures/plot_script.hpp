@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// Writes a script for gnuplot from a description of panels and curves. All figures share one style: a white
 /// ground, a light grid, one legend below, colours that colour-blind readers can tell apart.

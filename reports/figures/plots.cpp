@@ -6,7 +6,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/phong_blinn.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "reports/findings/finding_texts.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit::findings {
 namespace {

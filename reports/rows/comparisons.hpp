@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/better/better.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// The published curves and the alternatives for a target, as rows and as JSON.
 namespace shadefit {

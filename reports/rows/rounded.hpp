@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fit/better/fit_extras.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// Rounded constants, as rows and as JSON.
 namespace shadefit {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fit/verdicts/sensitivity.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/fit_json.hpp"
-#include "reports/table/writers.hpp"
 
 /// The digits of a fit's constants that matter, as tables and as JSON.
 namespace shadefit {

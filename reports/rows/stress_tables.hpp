@@ -5,7 +5,7 @@
 
 #include "fit/catalogue/family.hpp"
 #include "fit/stress/forms.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// The results of the stress tests of forms and fits, as tables.
 namespace shadefit {

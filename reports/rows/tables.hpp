@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fit/better/results.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// Results as rows: the tables with stable columns.
 namespace shadefit {

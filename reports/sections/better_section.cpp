@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "fit/better/results.hpp"
+#include "reports/io/mathematics.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/comparisons.hpp"
-#include "reports/table/mathematics.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "approx/records/optical_constants.hpp"
 #include "reports/io/joined.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -10,9 +10,9 @@
 #include "approx/phong_blinn.hpp"
 #include "fit/catalogue/family.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

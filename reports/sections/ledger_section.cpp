@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "reports/io/joined.hpp"
+#include "reports/io/mathematics.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/sections/prose.hpp"
-#include "reports/table/mathematics.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

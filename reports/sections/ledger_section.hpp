@@ -5,8 +5,8 @@
 
 #include "fit/ledger/ledger.hpp"
 #include "reports/figures/figure.hpp"
-#include "reports/table/table.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/table.hpp"
+#include "reports/io/writers.hpp"
 
 /// The ledger: every claim of the source documents with its verdict, as rows, as sections and one by one.
 namespace shadefit {

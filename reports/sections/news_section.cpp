@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reports/io/mathematics.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/prose.hpp"
-#include "reports/table/mathematics.hpp"
 
 namespace shadefit {
 namespace {

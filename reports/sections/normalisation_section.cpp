@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "approx/normalisation.hpp"
+#include "reports/io/mathematics.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
-#include "reports/table/mathematics.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "reports/io/joined.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/sections/sections.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

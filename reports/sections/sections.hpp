@@ -6,7 +6,7 @@
 
 #include "fit/better/results.hpp"
 #include "reports/figures/figure.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// The parts of the report.
 namespace shadefit {

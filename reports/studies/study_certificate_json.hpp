@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "fit/study_proof/study_certificate.hpp"
+#include "fit/bounds/study_certificate.hpp"
 
 /// Certificates as files.
 ///

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/better/better_study.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// The published constants of a study and the alternatives, as rows and as JSON.
 namespace shadefit {

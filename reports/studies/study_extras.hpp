@@ -7,8 +7,8 @@
 
 #include "fit/rounding/rounded_set.hpp"
 #include "fit/verdicts/study_sensitivity.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/studies/study_rows.hpp"
-#include "reports/table/writers.hpp"
 
 /// What is computed for a fit of a study on request, as tables and as JSON: rounded constants, and the digits
 /// of constants that matter.

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/study_proof/study_certificate.hpp"
-#include "reports/table/table.hpp"
+#include "fit/bounds/study_certificate.hpp"
+#include "reports/io/table.hpp"
 
 /// Proofs of studies, as rows, as JSON and in words. Bounds are doubles, rounded outward. Their decimals
 /// read back exactly.

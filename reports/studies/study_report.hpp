@@ -8,12 +8,12 @@
 #include "fit/catalogue/study_file.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/io/files.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 
 /// A study on a page.
 namespace shadefit {
 
-/// What "(proven)" behind a property means (fit/study_proof/prove_shape.hpp).
+/// What "(proven)" behind a property means (fit/bounds/prove_shape.hpp).
 inline constexpr std::string_view proven_in_words =
     "A proven property holds for all numbers of the range, but for 1e-12 of the target's largest value, which is rounding; exact is within 2^-24 of it.";
 

@@ -7,7 +7,7 @@
 #include "fit/catalogue/study_file.hpp"
 #include "fit/study/study_fit.hpp"
 #include "fit/verdicts/study_verdict.hpp"
-#include "reports/table/table.hpp"
+#include "reports/io/table.hpp"
 
 /// Fits of one's own as rows.
 namespace shadefit {

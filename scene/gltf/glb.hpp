@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "scene/files/bytes.hpp"
+#include "scene/materials/bytes.hpp"
 
 /// The container of binary glTF.
 namespace shadefit::scene {

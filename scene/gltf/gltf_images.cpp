@@ -6,8 +6,8 @@
 
 #include "fit/input/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
-#include "scene/files/messages.hpp"
-#include "scene/files/uri.hpp"
+#include "scene/materials/messages.hpp"
+#include "scene/materials/uri.hpp"
 
 namespace shadefit::scene {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/files/bytes.hpp"
-#include "scene/files/json_place.hpp"
+#include "scene/materials/bytes.hpp"
+#include "scene/materials/json_place.hpp"
 #include "scene/materials/texture.hpp"
 
 /// The pictures of a glTF document: in a buffer, in a data URI or in a separate file.

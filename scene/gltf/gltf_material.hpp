@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 
-#include "scene/files/json_place.hpp"
 #include "scene/gltf/gltf_images.hpp"
+#include "scene/materials/json_place.hpp"
 #include "scene/materials/material.hpp"
 
 /// Converts a glTF 2.0 material to one lobe and one Fresnel term.

@@ -9,13 +9,13 @@
 
 #include "fit/input/bounded_file.hpp"
 #include "fit/input/json_document.hpp"
-#include "scene/files/json_place.hpp"
-#include "scene/files/messages.hpp"
-#include "scene/files/uri.hpp"
 #include "scene/gltf/glb.hpp"
 #include "scene/gltf/gltf_extensions.hpp"
 #include "scene/gltf/gltf_images.hpp"
 #include "scene/gltf/gltf_material.hpp"
+#include "scene/materials/json_place.hpp"
+#include "scene/materials/messages.hpp"
+#include "scene/materials/uri.hpp"
 
 namespace shadefit::scene {
 namespace {

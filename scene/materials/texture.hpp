@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/files/bytes.hpp"
+#include "scene/materials/bytes.hpp"
 #include "scene/materials/material.hpp"
 
 /// The ranges of the channels of a picture: all that a material needs from a texture.

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "approx/shading.hpp"
-#include "fit/study_exchange/surface_programme.hpp"
-#include "fit/study_squares/linear_optimum.hpp"
+#include "fit/exchange/surface_programme.hpp"
+#include "fit/squares/linear_optimum.hpp"
 
 namespace shadefit::scene {
 namespace {

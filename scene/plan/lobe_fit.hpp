@@ -25,7 +25,7 @@ class LobeFitter {
   double best_offset() const;
 
   /// The slopes of log2(c) in y = c - 1, 2 to 4, each rounded to a float, by the exchange
-  /// (fit/study_exchange/surface_programme.hpp): the error of a lobe is the error of the slopes times n, the
+  /// (fit/exchange/surface_programme.hpp): the error of a lobe is the error of the slopes times n, the
   /// lobe's value and its factor.
   std::vector<double> best_slopes(int count);
 

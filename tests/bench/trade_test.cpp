@@ -9,7 +9,7 @@
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
 #include "bench/tradeoff/timing.hpp"
-#include "reports/table/writers.hpp"
+#include "reports/io/writers.hpp"
 #include "tests/bench/exp2_choices.hpp"
 
 namespace shadefit::bench {

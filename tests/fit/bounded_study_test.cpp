@@ -1,4 +1,4 @@
-#include "fit/bounded_study.hpp"
+#include "fit/catalogue/bounded_study.hpp"
 
 #include <gtest/gtest.h>
 

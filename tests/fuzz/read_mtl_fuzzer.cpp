@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "fit/support/user_error.hpp"
-#include "scene/mtl/read_mtl.hpp"
+#include "scene/gltf/read_mtl.hpp"
 #include "tests/fuzz/scene_holds.hpp"
 
 // One input is an .mtl. The folder that it would be in does not exist.

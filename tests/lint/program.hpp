@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/known/known_set.hpp"
+#include "lint/scan/known_set.hpp"
 #include "lint/tree/source_language.hpp"
 
 /// Published forms as programs.

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Directional reflectance, for tests/fit/integrals/reflectance_test.cpp, in 18 digits: the integrals over the hemisphere n.l >= 0 of
+"""Directional reflectance, for tests/fit/claims/reflectance_test.cpp, in 18 digits: the integrals over the hemisphere n.l >= 0 of
 (r.v)^a and (n.h)^a, as they stand and times n.l.
 
     make_reflectance_references.py                prints the file tests/references/reflectance.csv

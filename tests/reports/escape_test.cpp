@@ -10,8 +10,8 @@
 
 #include "reports/io/escape.hpp"
 #include "reports/io/files.hpp"
+#include "reports/io/table.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/table/table.hpp"
 
 namespace shadefit {
 namespace {
@@ -72,7 +72,7 @@ TEST(Escape, FewFilesReadTextOfOthersUnescaped) {
       "app/commands/proof_commands.cpp", "app/commands/study_verbs.cpp",    "app/studies/find_study.cpp",
       "bench/tradeoff/study_forms.cpp",  "fit/catalogue/read_families.cpp", "fit/study/read_study.cpp",
       "fit/study/require_values.cpp",    "fit/support/others_text.hpp",     "fit/verdicts/study_claims.cpp",
-      "lint/known/known_set.cpp",        "reports/gallery/gallery.cpp",     "reports/io/escape.cpp",
+      "lint/scan/known_set.cpp",         "reports/studies/gallery.cpp",     "reports/io/escape.cpp",
       "reports/rows/citation.cpp",       "reports/studies/study_rows.cpp"};
   std::set<std::string> found;
   for (const char* folder : {"app", "bench", "fit", "lint", "reports", "scene"}) {

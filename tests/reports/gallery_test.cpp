@@ -1,4 +1,4 @@
-#include "reports/gallery/gallery.hpp"
+#include "reports/studies/gallery.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include "fit/better/prove_contenders.hpp"
 #include "fit/better/round_contenders.hpp"
 #include "fit/scalars/half.hpp"
-#include "reports/gallery/html.hpp"
-#include "reports/gallery/pictures.hpp"
+#include "reports/studies/html.hpp"
+#include "reports/studies/pictures.hpp"
 
 namespace shadefit {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "fit/better/results.hpp"
 #include "reports/io/csv.hpp"
+#include "reports/io/writers.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/sections/sections.hpp"
-#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf/read_gltf.hpp"
-#include "scene/mtl/read_mtl.hpp"
+#include "scene/gltf/read_mtl.hpp"
 #include "tests/scene/samples.hpp"
 
 namespace shadefit::scene {

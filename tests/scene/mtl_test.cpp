@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scene/mtl/read_mtl.hpp"
+#include "scene/gltf/read_mtl.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -6,11 +6,11 @@
 #include "approx/fresnel.hpp"
 #include "approx/normalisation.hpp"
 #include "bench/peers/tasks/shadefit_tasks.hpp"
+#include "fit/bounds/family_subject.hpp"
 #include "fit/catalogue/family.hpp"
-#include "fit/integrals/normalisation_check.hpp"
-#include "fit/study_proof/family_subject.hpp"
-#include "fit/study_squares/prepared_study.hpp"
-#include "fit/study_squares/solve_study.hpp"
+#include "fit/claims/normalisation_check.hpp"
+#include "fit/squares/prepared_study.hpp"
+#include "fit/squares/solve_study.hpp"
 
 namespace peer_tasks {
 namespace {

@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "fit/catalogue/family.hpp"
-#include "fit/study_squares/prepared_study.hpp"
+#include "fit/squares/prepared_study.hpp"
 
 /// Refits the Fresnel pair twice: by its name, and as a study from text. Exits with 1 unless both give the
 /// published a = -5.55473.

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fit/study_squares/solve_study.hpp"
+#include "fit/squares/solve_study.hpp"
 
 /// A form of one's own: a template over its scalar, so that a shader's mock-up in float and the fit use one
 /// formula.

@@ -8,7 +8,7 @@
 #include "approx/phong_blinn.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/catalogue/family.hpp"
-#include "fit/least_squares/digits.hpp"
+#include "fit/steps/digits.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/references.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fit/catalogue/catalogue_study.hpp"
-#include "fit/fit_study.hpp"
+#include "fit/catalogue/fit_study.hpp"
 
 namespace shadefit {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "fit/bounds/rounding_bound.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study_proof/rounding_bound.hpp"
 #include "fit/support/hex_float.hpp"
 
 namespace shadefit {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "fit/catalogue/catalogue_study.hpp"
+#include "fit/squares/prepared_study.hpp"
 #include "fit/stress/numbers.hpp"
-#include "fit/study_squares/prepared_study.hpp"
 
 namespace shadefit {
 namespace {

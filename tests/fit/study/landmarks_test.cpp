@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/studies/find_study.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/study/study.hpp"
-#include "fit/tape/tape_program.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "fit/exchange/minimax_study.hpp"
+#include "fit/squares/solve_study.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study_exchange/minimax_study.hpp"
-#include "fit/study_squares/solve_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/refusal.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fit/squares/solve_study.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study_squares/solve_study.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 

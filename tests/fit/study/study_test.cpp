@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "fit/catalogue/family.hpp"
-#include "fit/study_exchange/minimax_study.hpp"
-#include "fit/study_squares/solve_study.hpp"
+#include "fit/exchange/minimax_study.hpp"
+#include "fit/squares/solve_study.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/refusal.hpp"

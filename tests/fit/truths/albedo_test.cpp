@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fit/formula/parse_formula.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/tape/tape_program.hpp"
 #include "fit/truths/albedos.hpp"
 #include "fit/truths/graded_rule.hpp"
 #include "reports/io/csv.hpp"

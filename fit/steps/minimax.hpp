@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "approx/cosine.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/steps/alternation.hpp"
+#include "fit/steps/linear_programme.hpp"
+#include "fit/steps/status.hpp"
+
+/// Minimax: the parameters for which the largest |weight * error| over the domain is least.
+///
+/// At the optimum of a form with n free parameters the error has its largest magnitude, the level, at n + 1
+/// places at least, usually with alternating signs: the alternation. The exchange starts near least squares.
+/// It finds the extrema of the error and solves the linear programme of the lowest level there
+/// (fit/steps/linear_programme.hpp). Its step is Newton's on the equations of the alternation. Then it
+/// looks for the extrema again. A constraint is one more condition of the programme. The result is the best
+/// near its start. It is not proven to be the best of all, and the search is sampled.
+namespace shadefit {
+
+/// Parameters beyond those of the form are not used.
+using MinimaxParameters = std::array<double, most_parameters>;
+using WideParameters = std::array<long double, most_parameters>;
+
+/// A place of the search: s in [0, 1] on one of the panels of the domain.
+struct SearchPlace {
+  std::size_t panel = 0;
+  double s = 0;
+  bool operator==(const SearchPlace&) const = default;
+};
+
+/// A value along a panel, with its derivatives by s.
+struct Along {
+  double value, slope, curvature;
+};
+
+/// A function of place and parameters, behind plain functions, so that the solver is the same for every form.
+struct MinimaxCurve {
+  std::function<void(const MinimaxParameters&, std::span<double>)> everywhere;  ///< at the search places
+  std::function<Along(const SearchPlace&, const MinimaxParameters&)> along;
+  /// The value, and its derivatives by the parameters.
+  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
+  std::function<long double(const SearchPlace&, const WideParameters&)> wide;
+  /// The same for the slope into the domain, at s = 0 or 1.
+  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across = nullptr;
+  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope = nullptr;
+};
+
+struct MinimaxProblem {
+  std::size_t size = 0;             ///< free parameters
+  std::vector<SearchPlace> places;  ///< by panel, then by s
+  std::function<Cosine<double>(const SearchPlace&)> cosine_at;
+  MinimaxCurve error;
+  /// The curve that `at_most` and `at_least` bound, and the curve that is 0 where the form equals its target.
+  /// These are the form and its error; for a positive form log(form) and log(form/target), which may be
+  /// linear in the parameters.
+  MinimaxCurve bounded = {}, deviation = {};
+  MinimaxCurve sloping = {};  ///< the slope of the form, if `monotone` is set
+  bool is_exponential = false;
+  /// Constraints are linear in the parameters: if they cannot be satisfied together at some places, no
+  /// parameters satisfy them.
+  bool is_linear = false;
+  std::optional<Side> one_sided = std::nullopt;
+  std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
+  std::optional<Course> monotone = std::nullopt;
+  std::vector<SearchPlace> exact_at = {};
+  /// If Newton does not settle, an answer still counts whose last step is at most this share of each
+  /// parameter: `digits` says how much of it is right.
+  long double largest_step = 0;
+  std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
+};
+
+struct MinimaxOptimum {
+  MinimaxParameters parameters{};
+  Status status = Status::not_converged;
+  int iterations = 0;  ///< exchanges and the Newton steps after them
+  int digits = 0;      ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
+  double level = 0;    ///< the largest |weight * error|
+  std::vector<AlternationPoint> alternation = {};  ///< in falling order of the cosine
+  std::string why = {};                            ///< where it did not converge, in words
+};
+
+/// Exchanges until the alternation has settled, at most `most_steps`. Never throws for a hard problem.
+MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
+
+/// Three to six are usual. Distant starts need more, because their steps are halved.
+inline constexpr int most_steps = 60;
+
+}  // namespace shadefit

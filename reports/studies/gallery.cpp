@@ -1,0 +1,141 @@
+#include "reports/studies/gallery.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "reports/io/escape.hpp"
+#include "reports/io/writers.hpp"
+#include "reports/studies/html.hpp"
+#include "reports/studies/study_comparison.hpp"
+#include "reports/studies/study_rows.hpp"
+
+namespace shadefit {
+namespace {
+
+/// "owner/name" of each place, once.
+OthersText repositories(const std::vector<OthersText>& places) {
+  std::vector<std::string> names;
+  for (const OthersText& of_others : places) {
+    const std::string& place = of_others.unescaped();
+    const std::string name = place.substr(0, place.find_first_of("@ :"));
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// The largest error of a contender, if there is one.
+Cell error_of(const StudyContender* contender) {
+  if (contender == nullptr) return {};
+  const double error = contender->max_error.magnitude;
+  return error < rounding_alone ? word("exact") : Cell{Number{error, 4}};
+}
+
+std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& comparison,
+                         const StudyContender& published) {
+  std::vector<Cell> row{
+      entry.file.id,
+      published.form + (given_text(comparison.study).empty() ? "" : ", " + given_text(comparison.study)),
+      short_source(published.origin),
+      repositories(published.published->where),
+      published.judgement ? verdict_text(*published.judgement) : "",
+      error_in_words(comparison.error),
+      Number{published.max_error.magnitude, 4},
+      static_cast<long>(published.operations.total())};
+  const StudyContender* best = better_at_the_same_cost(comparison, published);
+  row.push_back(error_of(best));
+  if (best == nullptr) {
+    row.insert(row.end(), 3, Cell{});
+  } else {
+    const double least = best->max_error.magnitude;
+    row.insert(row.end(),
+               {least < rounding_alone ? Cell{} : Cell{Number{published.max_error.magnitude / least, 3}},
+                static_cast<long>(best->operations.total()), best->form + ", " + best->origin});
+  }
+  const StudyContender* least = least_error_at_the_same_cost(comparison, published);
+  row.push_back(error_of(least == best ? nullptr : least));
+  row.push_back(least == best ? Cell{}
+                              : Cell{to_text(lost_properties(published.properties, least->properties))});
+  return row;
+}
+
+/// The same rows for the page: the important columns first, with titles in words.
+Table table_of_page(const Table& rows) {
+  const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", 0},
+                                                                 {"Used in", 3},
+                                                                 {"Verdict", 4},
+                                                                 {"Error as published", 6},
+                                                                 {"Best at the same cost", 8},
+                                                                 {"Times better", 9},
+                                                                 {"Instructions", 7},
+                                                                 {"Of the best", 10},
+                                                                 {"Form", 1},
+                                                                 {"Least error", 12},
+                                                                 {"which loses", 13},
+                                                                 {"Source", 2}};
+  Table table;
+  for (const auto& column : columns) table.columns.push_back(column.first);
+  for (const auto& row : rows.rows) {
+    std::vector<Cell>& cells = table.rows.emplace_back();
+    for (const auto& column : columns) cells.push_back(row[column.second]);
+  }
+  return table;
+}
+
+std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
+  std::string others;  // without a row
+  for (const JudgedStudy& study : all)
+    if (!study.is_published) others += fmt::format(" <a href=\"{0}.html\">{0}</a>", for_html(study.id));
+  const auto studies =
+      std::ranges::count_if(all, [](const JudgedStudy& study) { return study.is_published; });
+  const auto improved = std::ranges::count_if(
+      rows.rows, [](const auto& row) { return !std::holds_alternative<std::monostate>(row[8]); });
+  const std::string body =
+      fmt::format(
+          "<h1>Published constants of shading, judged and improved</h1>\n"
+          "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
+          "{} have a better set at no more instructions.</p>\n"
+          "<p>The error is the largest one over the stated range, sampled; the page of the constants says if it is relative or weighted. The verdict says which fit has the printed digits, and how many were tried:</p>\n"
+          "<ul class=\"facts\"><li><b>confirmed</b>: the fit of the study; <b>rounding</b>: the same, but for one unit in a last digit</li>"
+          "<li><b>other-objective</b>: another fit, which is named; <b>undecidable</b>: another fit, perhaps by chance</li>"
+          "<li><b>refuted</b>: none of the fits that were tried</li></ul>\n"
+          "<p>The best set has the least largest error among the fits that keep the properties of the published set: exact ends, rising or falling, not negative, at most 1. "
+          "A property counts where the target has it. A published set may be exact at an end to its printed digits; the best set is exact there. Each is proven by interval arithmetic, or its page says that it is sampled. The rms error is at most doubled. "
+          "<b>Least error</b> is that of a fit that loses some of these properties.</p>\n"
+          "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
+          rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
+      (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");
+  return html_page(std::string("Published constants of shading"), body);
+}
+
+}  // namespace
+
+JudgedStudy judged_study(const GalleryEntry& entry) {
+  JudgedStudy study{entry.file.id, !entry.file.published.empty(), {}, study_page(entry)};
+  for (const StudyComparison& comparison : entry.comparisons) {
+    for (const StudyContender& contender : comparison.contenders) {
+      if (contender.published != nullptr) study.rows.push_back(row_of(entry, comparison, contender));
+    }
+  }
+  return study;
+}
+
+Table gallery_table(const std::vector<JudgedStudy>& studies) {
+  Table table{{"id", "form", "source", "used_in", "verdict", "error", "published", "instructions", "best",
+               "ratio", "best_instructions", "best_form", "least", "loses"}};
+  for (const JudgedStudy& study : studies)
+    table.rows.insert(table.rows.end(), study.rows.begin(), study.rows.end());
+  return table;
+}
+
+std::vector<File> gallery_files(const std::vector<JudgedStudy>& studies) {
+  const Table rows = gallery_table(studies);
+  std::vector<File> files{{"index.html", index_page(rows, studies)},
+                          {"gallery.csv", write_csv(rows, Precision::report)}};
+  for (const JudgedStudy& study : studies) files.push_back({study.id + ".html", study.page});
+  return files;
+}
+
+}  // namespace shadefit

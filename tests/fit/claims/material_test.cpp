@@ -1,0 +1,83 @@
+#include "approx/material.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "approx/encoding.hpp"
+#include "fit/claims/diffuse_fresnel.hpp"
+#include "fit/ledger/finding.hpp"
+#include "fit/ledger/transfer_function.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "tests/fit/ledger/mutations.hpp"
+
+namespace shadefit {
+namespace {
+
+TEST(Metallic, LosesAndGainsNothingAtItsEnds) {
+  EXPECT_EQ(metallic_albedo(0.75, 0.0), 0.75);
+  EXPECT_EQ(metallic_albedo(0.75, 1.0), 0);
+  EXPECT_EQ(metallic_f0(0.03, 0.75, 0.0), 0.03);
+  EXPECT_EQ(metallic_f0(0.03, 0.75, 1.0), 0.75);
+  const Decimal50 f0("0.03");
+  for (const char* m : {"0", "0.25", "0.9", "1"}) {
+    const Decimal50 metallic(m), c = brightest_base_colour(f0, metallic);
+    const Decimal50 sum = metallic_albedo(c, metallic) + metallic_f0(f0, c, metallic);
+    EXPECT_LT(abs(sum - 1), Decimal50("1e-48")) << m;
+  }
+}
+
+TEST(Diffuse, HasTheClosedFormsOfSchlick) {
+  // The mean of (1-F) over the hemisphere: 1 - f0 - (1-f0)/21.
+  for (const double f0 : {0.02, 0.04, 0.5}) {
+    for (const double a : {0.25, 0.8, 1.0}) {
+      const double rest = 1 - mean_schlick_reflectance(f0);
+      EXPECT_NEAR(rest, (1 - f0) * 20 / 21, 1e-15);
+      const auto both = diffuse_under_fresnel("(1-F_i)(1-F_o)", a, f0);
+      EXPECT_NEAR(both.at_normal, f0 + a * (1 - f0) * rest, 1e-12);
+      EXPECT_NEAR(both.at_grazing, 1, 1e-12);
+      EXPECT_NEAR(both.under_sky, 1 - rest + a * rest * rest, 1e-12);
+      EXPECT_EQ(both.from_cosine, 0);
+      const auto stand_in = diffuse_under_fresnel("1-F0", a, f0);
+      EXPECT_NEAR(stand_in.at_normal, f0 + a * (1 - f0), 1e-12);
+      EXPECT_NEAR(stand_in.at_grazing, 1 + a * (1 - f0), 1e-12);
+      EXPECT_NEAR(stand_in.under_sky, 1 - rest + a * (1 - f0), 1e-12);
+      // f0 + (1-f0) w + a (1-f0) <= 1 where w = (1-c)^5 <= 1 - a
+      EXPECT_NEAR(stand_in.from_cosine, 1 - std::pow(1 - a, 0.2), 1e-9) << a << " " << f0;
+    }
+    const auto in = diffuse_under_fresnel("1-F_i", 1, f0);
+    EXPECT_NEAR(in.at_normal, 1, 1e-12) << "towards the light it is exactly what gets in";
+    EXPECT_NEAR(in.under_sky, 1, 1e-12);
+    EXPECT_GT(in.at_grazing, 1) << "and not reciprocal: too much towards a grazing view";
+    EXPECT_GT(diffuse_under_fresnel("1", 1, f0).from_cosine, 1) << "nowhere";
+  }
+  EXPECT_THROW(diffuse_under_fresnel("1-F", 1, 0.04), std::invalid_argument);
+}
+
+TEST(TransferFunction, ReadsNamesAndDecodes) {
+  const auto srgb = transfer_function("sRGB"), power = transfer_function("gamma 2.2"),
+             slip = transfer_function("gamma 2.2 of code/256");
+  // mpmath, 20 digits: ((40/255 + 0.055)/1.055)**2.4, (40/255)**2.2, (40/256)**2.2
+  EXPECT_NEAR(srgb.linear(40), 0.021219010376003555, 1e-16);
+  EXPECT_NEAR(power.linear(40), 0.016988052089250045, 1e-16);
+  EXPECT_NEAR(slip.linear(40), 0.016842403094008966, 1e-16);
+  for (const auto& function : {srgb, power, slip}) {
+    EXPECT_EQ(function.linear(0), 0);
+    EXPECT_EQ(function.linear(function.codes), 1);
+    for (int code = 1; code <= 255; ++code) EXPECT_NEAR(function.code(function.linear(code)), code, 5e-5);
+  }
+  EXPECT_EQ(transfer_function("gamma 1.8").gamma, 1.8);
+  for (const char* bad : {"", "srgb", "gamma", "gamma x", "sRGB of code/"})
+    EXPECT_THROW(transfer_function(bad), std::invalid_argument) << bad;
+}
+
+TEST(List, IsReadByItsSeparator) {
+  EXPECT_EQ(items_of("a b,  c"), (std::vector<std::string>{"a b", "c"}));
+  EXPECT_EQ(items_of("one"), std::vector<std::string>{"one"});
+  EXPECT_EQ(numbers_of("0.5, -1"), (std::vector<double>{0.5, -1}));
+  EXPECT_EQ(numbers_of("5 10", ' '), (std::vector<double>{5, 10}));
+  EXPECT_THROW(numbers_of("1,, 2"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shadefit
