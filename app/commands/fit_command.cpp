@@ -58,27 +58,44 @@ FitExtras extras_of(const Refit& refit, const FitOptions& options, const Checkpo
   return extras;
 }
 
+/// The rounded constants of each fit for their table and their JSON; none if nobody asked for them.
+std::vector<RoundedSets> rounded_sets(const Refit& refit, const FitExtras& extras) {
+  std::vector<RoundedSets> all;
+  for (std::size_t i = 0; i < extras.rounded.size(); ++i) {
+    const Fit& fit = refit.fits[i].fit;
+    RoundedSets& sets = all.emplace_back(
+        RoundedSets{.rounded = extras.rounded[i].rounded,
+                    .reason = extras.rounded[i].reason,
+                    .error = fit.metric.error == Error::relative ? "max rel error" : "max abs error",
+                    .parameters = refit.family->parameters,
+                    .variables = {"c"}});
+    if (fit.exponent) sets.given.emplace_back("exponent", Number{*fit.exponent, all_digits});
+  }
+  return all;
+}
+
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
                       const FitExtras& extras, const Checkpoint& checkpoint) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
     std::string text = console_text(refit, metric, options.terminal);
-    if (options.round)
-      text += "\n" +
-              write_console(rounded_table(refit, extras.rounded), Precision::report, options.terminal) +
-              rounded_text(extras.rounded, metric.error);
+    if (options.round) text += roundings_text(rounded_sets(refit, extras), options.terminal);
     for (std::size_t i = 0; i < extras.sensitivities.size(); ++i) {
       if (extras.sensitivities[i])
         text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i], options.terminal);
     }
     return text;
   }
+  const std::vector<RoundedSets> rounded = rounded_sets(refit, extras);
   auto array = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < refit.fits.size(); ++i) {
     checkpoint();
     array.push_back(write_fit_json(*refit.family, refit.fits[i]));
-    if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i], metric.error);
+    if (options.round) {
+      array.back()["rounded"] = rounding_json(rounded[i]);
+      if (!rounded[i].rounded) array.back()["rounded_reason"] = rounded[i].reason;
+    }
     if (options.sensitivity)
       array.back()["sensitivity"] = extras.sensitivities[i]
                                         ? sensitivity_json(refit.fits[i].fit, *extras.sensitivities[i])

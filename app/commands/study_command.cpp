@@ -206,8 +206,8 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
       if (proofs[i]) add_study_proof(json[i], *proofs[i]);
-      if (rounded[i]) json[i]["rounded"] = study_rounding_json(studies[i], *rounded[i]);
-      if (evaluated[i]) json[i]["evaluated"] = study_rounding_json(studies[i], *evaluated[i]);
+      if (rounded[i]) json[i]["rounded"] = rounding_json(rounded_sets(studies[i], rounded[i]));
+      if (evaluated[i]) json[i]["evaluated"] = rounding_json(rounded_sets(studies[i], evaluated[i]));
       if (sensitivities[i]) json[i]["sensitivity"] = study_sensitivity_json(studies[i], *sensitivities[i]);
     }
     return json_text_of_each(json);
@@ -219,8 +219,13 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
   }
   if (options.latex) return latex_text(file, studies);
   std::string out = console_text(file, studies, options.terminal) + proofs_block(proofs, options.terminal);
-  if (options.round) out += study_roundings_text(studies, rounded, options.terminal);
-  if (options.evaluate) out += study_roundings_text(studies, evaluated, options.terminal);
+  const auto add_roundings = [&](const std::vector<std::optional<RoundedStudy>>& of) {
+    std::vector<RoundedSets> all;
+    for (std::size_t i = 0; i < studies.size(); ++i) all.push_back(rounded_sets(studies[i], of[i]));
+    out += roundings_text(all, options.terminal);
+  };
+  if (options.round) add_roundings(rounded);
+  if (options.evaluate) add_roundings(evaluated);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += study_sensitivity_text(studies[i], *sensitivities[i], options.terminal);
   }

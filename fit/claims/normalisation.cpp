@@ -103,7 +103,7 @@ double error_of(const std::vector<ReflectanceCurve>& curves) {
 
 /// The curve with the largest peak.
 const ReflectanceCurve& curve_with_largest(const std::vector<ReflectanceCurve>& curves,
-                                   ReflectancePeak ReflectanceCurve::*part) {
+                                           ReflectancePeak ReflectanceCurve::*part) {
   return *std::ranges::max_element(curves, [&](const auto& a, const auto& b) {
     return (b.*part).value > (a.*part).value * (1 + equal_extrema);
   });

@@ -7,7 +7,7 @@
 #include "fit/errors/banding.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/scalars/half_result.hpp"
+#include "fit/scalars/narrow_result.hpp"
 
 namespace shadefit {
 namespace {

@@ -106,4 +106,7 @@ class NarrowResult {
 template <class Format>
 struct Scalar<NarrowResult<Format>> : ScalarInDouble<NarrowResult<Format>, NarrowResult<Format>::rounded> {};
 
+/// Half arithmetic on operands of any format; on halves it is that of Eigen::half.
+using HalfResult = NarrowResult<HalfFormat>;
+
 }  // namespace shadefit

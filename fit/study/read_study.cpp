@@ -275,10 +275,10 @@ void require_residual(const ReadStudy& study) {
     ++compared;
     if (!(abs(given - (form - target)) <= rounding))
       throw StudyFault({"error"}, quoted(study.axes.front().variable + " = " +
-                                            to_text(static_cast<double>(at(study.axes.front().variable)))) +
-                                         ": it is " + to_text(static_cast<double>(given)) +
-                                         ", but form - target is " +
-                                         to_text(static_cast<double>(Decimal50(form - target))));
+                                         to_text(static_cast<double>(at(study.axes.front().variable)))) +
+                                      ": it is " + to_text(static_cast<double>(given)) +
+                                      ", but form - target is " +
+                                      to_text(static_cast<double>(Decimal50(form - target))));
   }
   if (compared == 0)
     throw StudyFault({"error"}, ": form and target have no finite value with which it could be compared");

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <utility>
 
-#include "fit/scalars/rounded_interval.hpp"
+#include "fit/scalars/gpu_model.hpp"
 #include "fit/support/hex_float.hpp"
 #include "reports/rows/fit_json.hpp"
 
@@ -15,37 +15,37 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json constants_json(const Family& family, const RoundedStudySet& constants, Error error) {
-  return {{"parameters", json_object(family.parameters, constants.values)},
-          {"decimal", json_object(family.parameters, constants.texts)},
-          {"hex", json_object(family.parameters, constants.values, hex_text)},
-          {error == Error::relative ? "max_rel_error" : "max_abs_error", constants.max_error},
-          {"at", constants.at.front()},
-          {"real_error", optional_json(constants.real_error)},
-          {"rounding_error", optional_json(constants.rounding_error)},
-          {"srgb_codes", optional_json(constants.srgb_codes)},
-          {"gpu_bound", optional_json(constants.gpu_bound)}};
+/// The sets of a rounding, each with what it is.
+std::vector<std::pair<const char*, const RoundedStudySet*>> sets_of(const RoundedStudy& rounded) {
+  std::vector<std::pair<const char*, const RoundedStudySet*>> sets{
+      {rounded.is_proven ? "best" : "best found", &rounded.best}, {"fitted, rounded", &rounded.naive}};
+  if (rounded.published) sets.emplace_back("published, rounded", &*rounded.published);
+  return sets;
 }
 
-std::string_view short_name(Error error) {
-  return error == Error::relative ? "rel" : "abs";
+/// Appends a column of optional bounds; not one without any.
+void add_bounds(Table& table, const std::string& column, const std::vector<std::optional<double>>& bounds) {
+  if (std::ranges::none_of(bounds, [](const auto& bound) { return bound.has_value(); })) return;
+  table.columns.push_back(column);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    table.rows[i].push_back(bounds[i] ? at_most(*bounds[i]) : Cell());
 }
 
-std::vector<Cell> row_of(const std::string_view name, const RoundedStudySet& constants) {
-  std::vector<Cell> row{std::string(name)};
-  for (std::size_t i = 0; i < constants.values.size(); ++i) {
-    row.emplace_back(constants.texts[i]);
-    row.emplace_back(hex_text(constants.values[i]));
-  }
-  row.push_back(at_most(constants.max_error));
-  row.emplace_back(Number{constants.at.front(), 6});
-  for (const auto& bound : {constants.gpu_bound, constants.srgb_codes})
-    row.push_back(bound ? at_most(*bound) : Cell());
-  return row;
+Json set_json(const RoundedSets& of, const RoundedStudySet& set) {
+  Json at = Json::object();
+  for (std::size_t i = 0; i < set.at.size(); ++i) at[of.variables[i]] = set.at[i];
+  return {{"parameters", json_object(of.parameters, set.values)},
+          {"decimal", json_object(of.parameters, set.texts)},
+          {"hex", json_object(of.parameters, set.values, hex_text)},
+          {"max_error", set.max_error},
+          {"at", at},
+          {"real_error", optional_json(set.real_error)},
+          {"rounding_error", optional_json(set.rounding_error)},
+          {"srgb_codes", optional_json(set.srgb_codes)},
+          {"gpu_bound", optional_json(set.gpu_bound)}};
 }
 
-}  // namespace
-
+/// The meaning of `max_error` of rounded constants.
 std::string meaning_of_error(const RoundedStudy& rounded) {
   if (!rounded.best.real_error)
     return "every operation rounded, at every " + to_text(rounded.format) + " of the range";
@@ -53,83 +53,86 @@ std::string meaning_of_error(const RoundedStudy& rounded) {
   return "a proven bound: of the form in real numbers, and of the rounding of each operation in float";
 }
 
+/// The meaning of "best", and by which error, if need be.
+std::string meaning_of_best(const RoundedStudy& rounded) {
+  const char* by = rounded.best.rounding_error ? " by their error in real numbers" : "";
+  if (rounded.is_proven) return fmt::format("Best: proven, among {}{}.", rounded.searched, by);
+  return fmt::format("Best found{}: of {} constants tried among {}, not proven.", by, rounded.evaluated,
+                     rounded.searched);
+}
+
+}  // namespace
+
 Cell at_most(double bound, int digits) {
   if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
   const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
   return Number{std::ceil(bound / unit) * unit, digits};
 }
 
-std::string each_once(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (auto sentence = sentences.begin(); sentence != sentences.end(); ++sentence) {
-    if (std::find(sentences.begin(), sentence, *sentence) == sentence) text += *sentence + "\n";
-  }
-  return text;
-}
-
-Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
-  const Family& family = *refit.family;
+Table roundings_table(const std::vector<RoundedSets>& all) {
+  const RoundedSets& first = all.front();
   Table table;
-  if (family.has_exponent()) table.columns.emplace_back("exponent");
+  for (const auto& [constant, value] : first.given) table.columns.push_back(constant);
   table.columns.emplace_back("constants");
-  for (const std::string_view parameter : family.parameters) {
-    table.columns.emplace_back(parameter);
-    table.columns.push_back(std::string(parameter) + " hex");
+  for (const std::string& parameter : first.parameters) {
+    table.columns.push_back(parameter);
+    table.columns.push_back(parameter + " hex");
   }
-  const Error error = refit.fits.front().fit.metric.error;
-  table.columns.push_back(fmt::format("max {} error", short_name(error)));
-  for (const char* column : {"at c", "on a GPU at most", "8-bit sRGB codes"})
-    table.columns.emplace_back(column);
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (!fits[i].rounded) continue;
-    const RoundedStudy& rounded = *fits[i].rounded;
-    const auto add = [&](std::string_view name, const RoundedStudySet& constants) {
-      auto& row = table.rows.emplace_back(row_of(name, constants));
-      if (family.has_exponent()) row.insert(row.begin(), Number{*refit.fits[i].fit.exponent, all_digits});
-    };
-    add(rounded.is_proven ? "best" : "best found", rounded.best);
-    add("fitted, rounded", rounded.naive);
-    if (rounded.published) add("published, rounded", *rounded.published);
+  table.columns.push_back(first.error);
+  for (const std::string& variable : first.variables) table.columns.push_back("at " + variable);
+  std::vector<std::optional<double>> on_gpu, codes;
+  for (const RoundedSets& of : all) {
+    if (!of.rounded) continue;
+    for (const auto& [what, set] : sets_of(*of.rounded)) {
+      std::vector<Cell>& row = table.rows.emplace_back();
+      for (const auto& [constant, value] : of.given) row.push_back(value);
+      row.emplace_back(what);
+      for (std::size_t k = 0; k < set->values.size(); ++k)
+        row.insert(row.end(), {set->texts[k], hex_text(set->values[k])});
+      row.push_back(at_most(set->max_error));
+      for (std::size_t k = 0; k < of.variables.size(); ++k)
+        row.push_back(set->at.empty() ? Cell() : Number{set->at[k], 6});
+      on_gpu.push_back(set->gpu_bound);
+      codes.push_back(set->srgb_codes);
+    }
   }
+  add_bounds(table, "on a GPU at most", on_gpu);
+  add_bounds(table, "8-bit sRGB codes", codes);
   return table;
 }
 
-std::string rounded_text(const std::vector<RoundedFit>& fits, Error error) {
+std::string roundings_text(const std::vector<RoundedSets>& all, const Terminal& terminal) {
   std::vector<std::string> said;
-  for (const RoundedFit& fit : fits) {
-    if (!fit.rounded) {
-      said.push_back(fmt::format("Not rounded: {}.", fit.reason));
+  for (const RoundedSets& of : all) {
+    if (!of.rounded) {
+      if (!of.reason.empty()) said.push_back(fmt::format("Not rounded: {}.", of.reason));
       continue;
     }
-    const RoundedStudy& rounded = *fit.rounded;
-    said.push_back(fmt::format("Max {} error: {}.", short_name(error), meaning_of_error(rounded)));
+    const RoundedStudy& rounded = *of.rounded;
+    said.push_back(fmt::format("Max error: {}.", meaning_of_error(rounded)));
     if (rounded.best.gpu_bound) said.push_back(fmt::format("On a GPU: {}.", gpu_assumption));
-    said.push_back(
-        meaning_of_best(rounded, rounded.format.is_narrow() ? "" : " by their error in real numbers"));
+    said.push_back(meaning_of_best(rounded));
   }
-  return each_once(said);
+  std::string text = "\n" + write_console(roundings_table(all), Precision::report, terminal);
+  // A sentence that was said before is not said again.
+  for (auto sentence = said.begin(); sentence != said.end(); ++sentence)
+    if (std::find(said.begin(), sentence, *sentence) == sentence) text += *sentence + "\n";
+  return text;
 }
 
-void add_rounded_json(Json& fit_json, const Family& family, const RoundedFit& fit, Error error) {
-  if (!fit.rounded) {
-    fit_json["rounded"] = nullptr;
-    fit_json["rounded_reason"] = fit.reason;
-    return;
-  }
-  const RoundedStudy& rounded = *fit.rounded;
-  const auto json_of = [&](const RoundedStudySet& constants) {
-    return constants_json(family, constants, error);
-  };
-  Json json{{"format", to_text(rounded.format)}, {"error", name(error)}};
-  json.update(json_of(rounded.best));
-  json["naive"] = json_of(rounded.naive);
-  json["published"] = rounded.published ? json_of(*rounded.published) : Json();
+Json rounding_json(const RoundedSets& of) {
+  if (!of.rounded) return nullptr;
+  const RoundedStudy& rounded = *of.rounded;
+  Json json{{"format", to_text(rounded.format)}};
+  json.update(set_json(of, rounded.best));
+  json["naive"] = set_json(of, rounded.naive);
+  json["published"] = rounded.published ? set_json(of, *rounded.published) : Json();
   json["proven"] = rounded.is_proven;
   json["searched"] = rounded.searched;
   json["tried"] = rounded.evaluated;
   json["error_is"] = meaning_of_error(rounded);
   json["gpu_model"] = rounded.best.gpu_bound ? Json(gpu_assumption) : Json();
-  fit_json["rounded"] = json;
+  return json;
 }
 
 }  // namespace shadefit

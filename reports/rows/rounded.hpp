@@ -1,14 +1,12 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fit/better/fit_extras.hpp"
-#include "reports/io/table.hpp"
+#include "reports/io/writers.hpp"
 
 /// Rounded constants, as rows and as JSON.
 namespace shadefit {
@@ -16,30 +14,20 @@ namespace shadefit {
 /// A bound with so many digits, rounded up, so that the printed number is a bound too.
 Cell at_most(double bound, int digits = 6);
 
-/// The meaning of `max_error` of rounded constants.
-std::string meaning_of_error(const RoundedStudy& rounded);
+/// The rounded constants of a fit, or why there are none, and what the fit is about.
+struct RoundedSets {
+  std::optional<RoundedStudy> rounded = {};
+  std::string reason = {};  ///< empty: nobody asked for them
+  std::string error = {};   ///< "max abs error"
+  std::vector<std::string> parameters = {}, variables = {};
+  std::vector<std::pair<std::string, Cell>> given = {};  ///< the given constants with their values
+};
 
-/// The meaning of "best", of the rounded constants of a fit or a study; `by` says by which error, if need be.
-template <class AnyRounded>
-std::string meaning_of_best(const AnyRounded& rounded, std::string_view by = "") {
-  if (rounded.is_proven) return fmt::format("Best: proven, among {}{}.", rounded.searched, by);
-  return fmt::format("Best found{}: of {} constants tried among {}, not proven.", by, rounded.evaluated,
-                     rounded.searched);
-}
+/// For a terminal: the best constants of the format, the fitted and the published ones rounded, for each fit
+/// that has them; the meaning of their errors, and the constants among which the best were searched.
+std::string roundings_text(const std::vector<RoundedSets>& all, const Terminal& terminal);
 
-/// A line for each sentence, without those that were said before.
-std::string each_once(const std::vector<std::string>& sentences);
-
-/// Rows of one table for the fits of a family: the best constants, the fit's own rounded, the published
-/// rounded.
-Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits);
-
-/// Lines for the console: the meaning of the table's errors, and the constants among which the best were
-/// searched.
-std::string rounded_text(const std::vector<RoundedFit>& fits, Error error);
-
-/// Appends `rounded` to the JSON of a fit: null if there is none; then `rounded_reason` says why.
-void add_rounded_json(nlohmann::ordered_json& fit_json, const Family& family, const RoundedFit& fit,
-                      Error error);
+/// One of them as an object, for the `rounded` or `evaluated` of a fit's JSON; null if there is none.
+nlohmann::ordered_json rounding_json(const RoundedSets& of);
 
 }  // namespace shadefit

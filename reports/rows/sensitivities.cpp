@@ -12,11 +12,6 @@ using Names = std::vector<std::string>;
 
 constexpr int end_digits = 6;  ///< of an interval's end, which is found to nine
 
-Names names_of(const Fit& fit) {
-  const auto names = fit.family->parameters;
-  return {names.begin(), names.end()};
-}
-
 std::string objective_name(const Metric& metric) {
   const std::string error = metric.error == Error::relative ? "relative error" : "error";
   return (metric.norm == Norm::minimax ? "largest " : "rms ") + error +
@@ -69,9 +64,9 @@ std::string digits_text(const std::string& objective, const std::string& setting
 
 std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity, const Terminal& terminal) {
   return digits_text(objective_name(fit.metric), fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "",
-                     names_of(fit), sensitivity, terminal) +
+                     fit.family->parameters, sensitivity, terminal) +
          "\n" +
-         write_console(other_fits_table(names_of(fit), sensitivity.contracts,
+         write_console(other_fits_table(fit.family->parameters, sensitivity.contracts,
                                         [](const Metric& metric) { return describe(metric); }),
                        Precision::report, terminal);
 }
@@ -90,14 +85,14 @@ Json digits_json(const Names& names, const Sensitivity& sensitivity) {
 }
 
 Json sensitivity_json(const Fit& fit, const Sensitivity& sensitivity) {
-  Json json = digits_json(names_of(fit), sensitivity);
+  Json json = digits_json(fit.family->parameters, sensitivity);
   json["contracts"] = Json::array();
   for (const auto& [metric, other] : sensitivity.contracts) {
     Json& contract =
         json["contracts"].emplace_back(Json{{"under", describe(metric)},
                                             {"measure", name(metric.measure)},
                                             {"domain", {metric.domain.lower, metric.domain.upper}}});
-    add_answer_json(contract, names_of(fit), other);
+    add_answer_json(contract, fit.family->parameters, other);
   }
   return json;
 }

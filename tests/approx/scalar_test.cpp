@@ -8,9 +8,9 @@
 
 #include "fit/proof/interval.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/scalars/half_result.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/narrow_result.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/approx/formulas/lobes.hpp"

@@ -5,8 +5,8 @@
 #include "approx/lobe.hpp"
 #include "fit/errors/banding.hpp"
 #include "fit/ledger/formats.hpp"
-#include "fit/scalars/half_result.hpp"
 #include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/narrow_result.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

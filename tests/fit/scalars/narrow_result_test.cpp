@@ -1,4 +1,3 @@
-#include "fit/scalars/narrow_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +10,8 @@
 
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/scalars/half_result.hpp"
 #include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/narrow_result.hpp"
 
 namespace shadefit {
 namespace {
