@@ -1,6 +1,6 @@
 #include "fit/squares/linear_optimum.hpp"
 
-#include <boost/multiprecision/eigen.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -11,6 +11,28 @@
 #include "fit/support/decompositions.hpp"
 
 namespace shadefit {
+namespace {
+
+// Rows of numbers: Eigen's templates over 50 digits take longer to compile than all else here.
+using Square = std::vector<std::vector<Decimal50>>;
+
+/// The inverse of a positive definite matrix, by Gauss and Jordan in place.
+Square inverse_of(Square a) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Decimal50 pivot = 1 / a[k][k];
+    a[k][k] = 1;
+    for (Decimal50& value : a[k]) value *= pivot;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (i == k) continue;
+      const Decimal50 factor = a[i][k];
+      a[i][k] = 0;
+      for (std::size_t j = 0; j < a.size(); ++j) a[i][j] -= factor * a[k][j];
+    }
+  }
+  return a;
+}
+
+}  // namespace
 
 std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const StudyNodes& nodes,
                                                   const std::vector<double>& start) {
@@ -24,32 +46,41 @@ std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const 
   TapeProgram<Decimal50> program(tape_of(error_formula(study), names, n), {});
   std::vector<Decimal50> at(start.begin(), start.end());
   at.resize(names.size());
-  VectorOf<Decimal50> row(n + 1);  // the error and its derivatives
   LinearOptimum found;
   long double first = 0;
   for (long double last = HUGE_VALL, moved = 0, round = 0; round < most_rounds; ++round, last = moved) {
-    MatrixOf<Decimal50> sums = MatrixOf<Decimal50>::Zero(row.size(), row.size());
+    Square hessian(n, std::vector<Decimal50>(n));
+    std::vector<Decimal50> gradient(n);
+    Decimal50 square = 0;
     for (std::size_t node = 0; node < nodes.weights.size(); ++node) {
       for (std::size_t i = n; i < at.size(); ++i) at[i] = nodes.coordinates[i - n][node];
       program.run(at);
-      for (std::size_t i = 0; i <= n; ++i) row[static_cast<Eigen::Index>(i)] = program.output(i);
-      sums += Decimal50(nodes.weights[node]) * row * row.transpose();
+      const Decimal50 error = nodes.weights[node] * program.output(0);
+      square += error * program.output(0);
+      for (std::size_t i = 0; i < n; ++i) {
+        gradient[i] += error * program.output(i + 1);
+        const Decimal50 slope = nodes.weights[node] * program.output(i + 1);
+        for (std::size_t j = 0; j < n; ++j) hessian[i][j] += slope * program.output(j + 1);
+      }
     }
+    const Square inverse = inverse_of(hessian);
     const auto count = static_cast<Eigen::Index>(n);
-    const MatrixOf<Decimal50> hessian = sums.bottomRightCorner(count, count), inverse = hessian.inverse();
-    const VectorOf<Decimal50> step = inverse * sums.col(0).tail(count);
-    found = {{},
-             step.cast<long double>(),
-             inverse.diagonal().cast<long double>().cwiseSqrt(),
-             static_cast<long double>(sums(0, 0))};
-    const VectorOf<long double> sizes = hessian.diagonal().cast<long double>().cwiseSqrt();
-    const long double condition = found.spread.cwiseProduct(sizes).maxCoeff();
-    if (!std::isfinite(found.square) || !(condition * condition < dependent)) return std::nullopt;
-    found.parameters.resize(count);
+    found = {VectorOf<long double>(count), VectorOf<long double>(count), VectorOf<long double>(count),
+             static_cast<long double>(square)};
+    long double condition = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      at[i] -= step[static_cast<Eigen::Index>(i)];
-      found.parameters[static_cast<Eigen::Index>(i)] = static_cast<long double>(at[i]);
+      Decimal50 step = 0;
+      for (std::size_t j = 0; j < n; ++j) step += inverse[i][j] * gradient[j];
+      at[i] -= step;
+      const auto place = static_cast<Eigen::Index>(i);
+      found.last_step[place] = static_cast<long double>(step);
+      found.spread[place] = std::sqrt(static_cast<long double>(inverse[i][i]));
+      found.parameters[place] = static_cast<long double>(at[i]);
+      const long double size = std::sqrt(static_cast<long double>(hessian[i][i]));
+      condition = std::max(condition, found.spread[place] * size);
+      if (!std::isfinite(found.spread[place])) return std::nullopt;
     }
+    if (!std::isfinite(found.square) || !(condition * condition < dependent)) return std::nullopt;
     moved = found.last_step.cwiseQuotient(found.spread).cwiseAbs().maxCoeff();
     if (round == 0) first = moved;
     if (!(moved < falls * last) || moved <= enough * first) break;
