@@ -22,9 +22,6 @@ void register_claims();
 /// Proofs: certificates and their check.
 void register_proofs();
 
-/// From one fit to 100 000, on one and two threads.
-void register_scaling();
-
 /// The Fresnel pair as a study beside its family: the rate of its sums, and its fit from text.
 void register_studies();
 

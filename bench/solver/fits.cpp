@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,17 @@ void register_problems(const std::string& name, const std::vector<Problem>& prob
   })->Unit(benchmark::kMicrosecond);
 }
 
+/// Exponents evenly on a logarithmic scale within 0.1 .. 1e6. Fits share nothing: each thread has its own.
+void fit_on_threads(benchmark::State& state) {
+  const Family& lobe = *find_family("sg-offset");
+  constexpr int exponents = 1000;
+  int i = state.thread_index();
+  for (auto _ : state) {
+    i = (i + state.threads()) % exponents;
+    benchmark::DoNotOptimize(lobe.fit(std::pow(10, -1 + 7 * (i + 0.5) / exponents), {}).parameters.data());
+  }
+}
+
 }  // namespace
 
 void register_fits() {
@@ -36,6 +48,10 @@ void register_fits() {
   for (const char* id : {"sg-offset", "fresnel-one-term", "fresnel-quadratic", "phong-blinn"})
     for (const Problem& problem : problems(id, measures)) catalogue.push_back(problem);
   register_problems("catalogue", catalogue);
+  benchmark::RegisterBenchmark("scaling/sg-offset", fit_on_threads)
+      ->ThreadRange(1, 2)
+      ->UseRealTime()
+      ->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace shadefit::bench

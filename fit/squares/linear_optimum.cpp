@@ -5,8 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "fit/formula/tape_program.hpp"
-#include "fit/scalars/multiprecision.hpp"
+#include "fit/formula/tape_in_50_digits.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decompositions.hpp"
 
