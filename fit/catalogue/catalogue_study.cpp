@@ -101,10 +101,7 @@ std::optional<CosineRange> ends_of(const Family& family, const Setting& setting,
                                    Error error) {
   const Cosine<double> top{domain.upper, 1 - domain.upper};
   Cosine<double> bottom{domain.lower, 1 - domain.lower};
-  if (error == Error::absolute || family.is_fresnel) {
-    if (error == Error::relative && domain.lower == domain.upper) return std::nullopt;
-    return CosineRange{top, bottom};
-  }
+  if (error == Error::absolute || family.is_fresnel) return CosineRange{top, bottom};
   const auto visible_end = where_lobe_is_visible(setting.exponent);
   if (!visible_end) return std::nullopt;
   if (visible_end->cos_theta >= domain.lower) bottom = *visible_end;

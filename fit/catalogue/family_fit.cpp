@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <utility>
 
 #include "fit/catalogue/catalogue_study.hpp"
@@ -42,10 +41,9 @@ void take(Fit& fit, const StudyFit& found, const std::vector<std::optional<doubl
   for (std::size_t i = 0; i < given.size(); ++i)
     fit.parameters[i] = given[i] ? *given[i] : next != found.parameters.end() ? *next++ : 0;
   const Setting setting = setting_of(fit);
-  for (AlternationPoint point : std::views::reverse(found.alternation)) {
+  fit.alternation.assign(found.alternation.rbegin(), found.alternation.rend());  // from the peak down
+  for (AlternationPoint& point : fit.alternation)
     point.at = cosine_at(*fit.family, setting, point.at.cos_theta);
-    fit.alternation.push_back(point);
-  }
 }
 
 void solve(Fit& fit) {
