@@ -71,7 +71,7 @@ enum class Trend {
 };
 
 /// Properties that a form must have at its published and fitted parameters; an interval proof shows them
-/// (fit/proof/curve_proof.hpp).
+/// (fit/bounds/family_subject.hpp).
 struct CurveShape {
   Trend trend = Trend::none;
   bool is_non_negative = false;
