@@ -127,8 +127,8 @@ struct Family {
   std::vector<std::vector<double>> starts_of(const Setting& setting) const;
 };
 
-/// Why two errors of one curve cannot both be right: a root mean square is never above the largest magnitude.
-/// Empty if they can.
+/// Why two errors of one curve are no answer: a root mean square is never above the largest magnitude, and
+/// that is finite. Empty if they are one.
 std::string contradiction_of(double rms_error, double largest_error);
 
 /// The setting that a fit was made with.

@@ -85,6 +85,7 @@ std::string denominator_of(const Family& family, const Surface& surface) {
 
 std::string contradiction_of(double rms_error, double largest_error) {
   constexpr double rounding = 1e-15;  // a few ulps at 1, the largest value of forms and targets
+  if (!std::isfinite(largest_error)) return "the largest error is infinite";
   // Errors that differ by less count as equal in the search.
   if (rms_error <= largest_error * (1 + equal_extrema) + rounding) return "";
   return "the rms error " + to_text(rms_error) + " exceeds the largest error found, " +

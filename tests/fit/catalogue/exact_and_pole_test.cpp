@@ -71,6 +71,7 @@ TEST(Errors, TheRootMeanSquareIsNeverAboveTheLargest) {
   EXPECT_EQ(contradiction_of(0.1, 0.2), "");
   EXPECT_EQ(contradiction_of(0.2, 0.2), "");
   EXPECT_EQ(contradiction_of(1e-16, 0), "") << "rounding";
+  EXPECT_EQ(contradiction_of(0.02, HUGE_VAL), "the largest error is infinite");
   const std::string why = contradiction_of(4.995, 0.2766);
   EXPECT_NE(why.find("4.995"), std::string::npos) << why;
   EXPECT_NE(why.find("0.2766"), std::string::npos) << why;
