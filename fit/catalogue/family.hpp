@@ -116,7 +116,7 @@ struct Family {
   /// The quantity that the metric minimises: the rms error, or the largest weight * |error|.
   Objective objective(const Setting& setting, const Metric& metric) const;
 
-  /// The part of a domain in which a relative error has a meaning; empty where there is none.
+  /// Returns the part of a domain where a relative error has a meaning. It is empty if no part has one.
   std::optional<Domain> relative_domain(const Setting& setting, const Domain& domain) const;
 
   /// The curve, at given parameters. One thread asks it at a time.

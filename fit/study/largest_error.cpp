@@ -77,9 +77,9 @@ class Magnitude {
   TapeProgram<double> curve_;
 };
 
-/// The vertex of the parabola through three places around the middle one. Near a top the values of a double
-/// differ by rounding alone, over half of the digits of the place; these are as far apart as costs the least.
-/// The place itself where there is no such top.
+/// Returns the vertex of the parabola through the values at a place and one step beside it. Returns the place
+/// if they show no top. A bracket is about a 200th of the range, so a step is 1e-5 of it: there the rounding
+/// of the values, eps/step, moves the vertex as little as the cubic term, step^2.
 template <class Value>
 double vertex_beside(const Value& value, double place, const std::array<double, 2>& around) {
   constexpr double share = 2e-3;

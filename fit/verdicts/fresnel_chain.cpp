@@ -47,7 +47,7 @@ FresnelLink link(const OpticalConstants& constants, const Family* family, std::s
                      {}};
   if (status != Status::converged) return result;
   if (family == nullptr) {
-    result.from_exact = reflectance_error(exact, to_text(find_family("fresnel-quadratic")->target));
+    result.from_exact = reflectance_error(exact, "schlick_weight(c)");
   } else {
     result.from_schlick = reflectance_error(schlick_surface(ior, extinction), family->form_text, parameters);
     result.from_exact = reflectance_error(exact, family->form_text, parameters);

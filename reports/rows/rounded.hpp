@@ -14,7 +14,7 @@ namespace shadefit {
 /// A bound with so many digits, rounded up, so that the printed number is a bound too.
 Cell at_most(double bound, int digits = 6);
 
-/// The rounded constants of a fit, or why there are none, and what the fit is about.
+/// Holds the rounded constants of a fit, or the reason why it has none, and the names of what it fits.
 struct RoundedSets {
   std::optional<RoundedStudy> rounded = {};
   std::string reason = {};  ///< empty: nobody asked for them
@@ -27,7 +27,8 @@ struct RoundedSets {
 /// that has them; the meaning of their errors, and the constants among which the best were searched.
 std::string roundings_text(const std::vector<RoundedSets>& all, const Terminal& terminal);
 
-/// One of them as an object, for the `rounded` or `evaluated` of a fit's JSON; null if there is none.
+/// Writes one of them as an object, for the `rounded` or `evaluated` of a fit's JSON. Writes null if it has
+/// none.
 nlohmann::ordered_json rounding_json(const RoundedSets& of);
 
 }  // namespace shadefit
