@@ -9,6 +9,7 @@
 #include "app/studies/chosen_study.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/better.hpp"
+#include "fit/better/results.hpp"
 #include "fit/proof/bound_width.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"
@@ -62,11 +63,12 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
 }  // namespace
 
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (const auto study = chosen_study(options, checkpoint))
-    return better_study_command(*study, options, checkpoint, progress);
-  if (options.id.empty())
-    throw UserError(
-        "better needs a form, a constant, a study or --form (see 'shadefit list' and 'shadefit help better')");
+  const StudyFile study = chosen_study(options, checkpoint);
+  if (!is_known_id(options.id)) return better_study_command(study, options, checkpoint, progress);
+  for (const char* option : {"--over", "--given", "--start", "--bounds"}) {
+    if (options.present.contains(option))
+      throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
+  }
   if (options.plot) require_picture(*options.plot);
   const NamedFit named = find_fit(options.id);
   const std::vector<Setting> settings = settings_to_compare(named, options);
@@ -74,14 +76,13 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
     throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: name one with {}",
                                 *options.plot, settings.size(),
                                 named.family->is_fresnel ? "--target" : "--exponent"));
-  const Metric metric = metric_for(options, *named.family, settings);
   std::vector<Comparison> comparisons;
   std::string err;
   const Checkpoint next = stepping(checkpoint, progress, "better", settings.size());
   for (const Setting& setting : settings) {
     next();
-    comparisons.push_back(
-        compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
+    comparisons.push_back(compare_forms(*named.family, setting,
+                                        {.domain = options.metric.domain, .width = usual_width}, checkpoint));
     err += not_reached_lines(comparisons.back());
   }
   return with_picture(

@@ -37,9 +37,10 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
     if constexpr (requires { options->present; }) options->present = present_in(*command);
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
-    if constexpr (requires { options->words; })
-      options->words = words_of(
-          *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
+    const auto words = words_of(
+        *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
+    if constexpr (requires { options->words; }) options->words = words;
+    if constexpr (requires { options->fit.words; }) options->fit.words = words;
     Call* const to = &call;  // captured where it is used: not every command takes a checkpoint
     call.run = [=] {
       if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {

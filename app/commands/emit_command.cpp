@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "app/commands/commands.hpp"
 #include "app/options/fit_arguments.hpp"
@@ -9,8 +10,8 @@
 #include "app/studies/chosen_study.hpp"
 #include "fit/better/better_study.hpp"
 #include "fit/better/prove_contenders.hpp"
-#include "fit/bounds/family_subject.hpp"
-#include "fit/catalogue/family.hpp"
+#include "fit/better/results.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
@@ -46,49 +47,10 @@ std::string function_name(std::string_view id, const EmitOptions& options) {
 
 /// The command that generates the file.
 std::string command_of(const EmitOptions& options) {
-  std::vector<std::string> words = options.words;
+  std::vector<std::string> words = options.fit.words;
   const auto after_id = words.begin() + (options.fit.id.empty() ? 1 : 2);
   words.insert(after_id, {"--lang", std::string(name(*options.language))});
   return command_text(words);
-}
-
-/// The proof of the constants over all settings of the code.
-struct Proven {
-  ChosenSubject chosen;  ///< at the last setting
-  double upper = 0;      ///< bounds the error at all settings
-  std::string target;
-};
-
-/// One set of constants for all settings, and its proof.
-Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, const EmitOptions& options,
-                 const Metric& metric, const Checkpoint& checkpoint, const Progress& progress) {
-  Proven proven;
-  const Checkpoint next = stepping(checkpoint, progress, "emit", settings.size());
-  for (const Setting& setting : settings) {
-    next();
-    proven.chosen = chosen_constants(options.parameters, named, setting, metric, options.fit, checkpoint);
-    if (settings.size() > 1 && !options.parameters && proven.chosen.from == "fitted")
-      throw UserError(fmt::format(
-          "emit '{}' needs --exponent with one exponent: fitted constants are for one", options.fit.id));
-    // the fourth digit of a bound is rounded up
-    constexpr double width = 1e-6;
-    const CertifiedStudy certified = certify_study(in_words(proven.chosen.subject), width, checkpoint);
-    proven.upper = std::max(proven.upper, certified.certificate.upper);
-    proven.target = target_text(*named.family, setting);
-  }
-  return proven;
-}
-
-/// The form with its constants; the exponent is one of them if it was requested.
-ShaderFunction function_of(const Family& family, const EmitOptions& options, const FamilySubject& subject) {
-  Constants constants = subject.parameters;
-  std::vector<std::string> arguments{"c"};
-  if (options.fit.exponents) {
-    constants.emplace_back("k", fmt::format("{}", subject.setting.exponent));
-  } else if (family.has_exponent()) {
-    arguments.emplace_back("k");
-  }
-  return {function_name(family.id, options), arguments, with_constants(family.form, constants)};
 }
 
 /// "a = -5.5, b = -7"
@@ -96,27 +58,6 @@ std::string constants_text(const Constants& constants) {
   return joined(constants, ", ", [](const auto& constant) {
     return fmt::format("{} = {}", constant.first, decimal_of(constant.second));
   });
-}
-
-/// The origin of the constants: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
-/// fitted.
-std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric,
-                      const std::optional<NumberFormat>& round) {
-  if (chosen.from == "fitted") return "fitted: " + (round ? words_of_rounding(*round) : headline(metric));
-  if (chosen.from == "given") return "given";
-  for (const Published& p : published_constants()) {
-    const bool is_it = named.published != nullptr ? &p == named.published
-                                                  : p.family == named.family->id &&
-                                                        p.printed == chosen.subject.parameters.front().second;
-    if (is_it) return fmt::format("published: {} {}, \"{}\"", p.source.author, p.source.year, p.source.title);
-  }
-  return "published";
-}
-
-std::string exponents_text(const std::vector<Setting>& settings) {
-  if (settings.size() == 1) return fmt::format(", k = {}", settings.front().exponent);
-  return fmt::format(", k = {} to {} ({} exponents)", settings.front().exponent, settings.back().exponent,
-                     settings.size());
 }
 
 /// A function below a comment with the command and these facts, which are about numbers that are not rounded.
@@ -129,52 +70,61 @@ std::string code_with(const std::vector<OthersText>& facts, const ShaderFunction
   return shader_code({&function, 1}, *options.language, options.precision, comment);
 }
 
-std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const NamedFit named = find_fit(options.fit.id);
-  const Family& family = *named.family;
-  function_name(family.id, options);  // refuses a bad name before anything is computed
-  const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
-  if (options.fit.exponents && settings.size() > 1)
-    throw UserError(fmt::format(
-        "--exponent names {} exponents: code is for one, or without the option for any", settings.size()));
-  const Metric metric = metric_for(options.fit, family, settings);
-  const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
-  const FamilySubject& subject = proven.chosen.subject;
+/// What is known of the largest error of a curve: a proven bound, or a sampled one.
+struct KnownError {
+  bool is_proven;
+  double magnitude;
+};
 
-  const std::vector<OthersText> facts{
-      fmt::format("{} for {}; {}", to_text(family.form), proven.target, family.variables),
-      fmt::format("{} ({})", constants_text(subject.parameters),
-                  origin_of(named, proven.chosen, metric, options.fit.round)),
-      fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
-                  decimal_above(proven.upper, 4), subject.domain.lower, subject.domain.upper,
-                  family.has_exponent() ? exponents_text(settings) : ""),
-  };
-  return code_with(facts, function_of(family, options, subject), options);
-}
-
-/// What is known of the largest error of a study's code: proven where there is a proof, else sampled.
-std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint) {
+KnownError known_error(const StudySubject& subject, const Checkpoint& checkpoint) {
   const Study& study = subject.study;
   const ReadStudy read = read_formulas(study);
-  const std::string ranges = joined(read.axes, ", ", [](const StudyAxis& axis) {
-    return fmt::format("{} in [{}, {}]", axis.variable, axis.lower, axis.upper);
-  });
-  if (study.rows == nullptr && integral_depth(error_formula(read)) < 2) {
-    try {
-      // the fourth digit of a bound is rounded up
-      const double width = std::max(1e-6, usual_study_width(study.over.size()));
-      const StudyCertificate proof = certify_study(subject, width, checkpoint).certificate;
-      return fmt::format("Proven: {}{} error at most {} for {}, in exact arithmetic.",
-                         study.weight == "1" ? "" : "weighted ", name(study.error),
-                         decimal_above(proof.upper, 4), ranges);
-    } catch (const CheckFailed&) {
-      // The formulas have no finite bound in intervals. Samples say what they can.
-    }
-  }
   std::vector<double> values;
   for (const auto& [name, text] : subject.parameters) values.push_back(constant<double>(decimal_of(text)));
-  return fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.",
-                     largest_error(read, values).magnitude, ranges);
+  const auto sampled = [&] { return largest_error(read, values).magnitude; };
+  if (study.rows || integral_depth(error_formula(read)) > 1) return {false, sampled()};
+  try {
+    // the fourth digit of a bound is rounded up
+    const double width = std::max(1e-6, usual_study_width(study.over.size()));
+    return {true, certify_study(subject, width, checkpoint).certificate.upper};
+  } catch (const CheckFailed&) {
+    // The formulas have no finite bound in intervals. Samples say what they can, unless the error is infinite.
+    const double magnitude = sampled();
+    if (!std::isfinite(magnitude) || pole_of(read, values)) throw;
+    return {false, magnitude};
+  }
+}
+
+/// "k = 5", "k = 3 to 15 (13 values)": the given constants of all studies.
+std::string given_of(const std::vector<Study>& studies) {
+  return joined(studies.front().given, "", [&](const auto& given) {
+    const auto& [name, first] = given;
+    const std::string& last = studies.back().given.at(name);
+    return ", " + name + " = " + first +
+           (last == first ? "" : fmt::format(" to {} ({} values)", last, studies.size()));
+  });
+}
+
+/// What is known of the largest error of the code, for all studies with these constants.
+std::string error_line(const std::vector<Study>& studies, const Constants& constants,
+                       const Checkpoint& checkpoint) {
+  bool is_proven = true;
+  double most = 0;
+  for (const Study& study : studies) {
+    const auto [is_bound, magnitude] = known_error({study, constants}, checkpoint);
+    is_proven = is_proven && is_bound;
+    most = std::max(most, magnitude);
+  }
+  const Study& study = studies.front();
+  const std::string ranges = joined(read_formulas(study).axes, ", ", [](const StudyAxis& axis) {
+    return fmt::format("{} in [{}, {}]", axis.variable, axis.lower, axis.upper);
+  });
+  const std::string places = ranges + given_of(studies);
+  if (!is_proven)
+    return fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.", most, places);
+  return fmt::format("Proven: {}{} error at most {} for {}, in exact arithmetic.",
+                     study.weight == "1" ? "" : "weighted ", name(study.error), decimal_above(most, 4),
+                     places);
 }
 
 /// The set that `better` says to use in place of the first published one.
@@ -197,27 +147,60 @@ ChosenStudySubject better_subject(const StudyFile& file, const Study& study, con
           "fitted: " + best->origin + "; better than " + published->origin};
 }
 
-std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint) {
-  const std::string id = file.id.empty() ? "approximation" : file.id;
-  const std::string name = function_name(id, options);
-  const std::vector<Study> studies = combinations(file.study, file.given);
-  if (studies.size() > 1)
-    throw UserError(
-        fmt::format("'{}' has {} values of its given constants: name one by --given", id, studies.size()));
-  const auto [subject, from, origin] =
-      options.better
-          ? better_subject(file, studies.front(), options, checkpoint)
-          : chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
-  const Study& study = subject.study;
-  const ReadStudy read = read_formulas(study);
+/// The same constants for all studies, and the origin of those of the first.
+ChosenStudySubject chosen_for_all(const StudyFile& file, std::vector<Study>& studies,
+                                  const EmitOptions& options, const Checkpoint& checkpoint,
+                                  const Progress& progress) {
+  if (options.better && is_known_id(file.id))
+    throw UserError(fmt::format("--better is for a study: see 'shadefit better {}'", options.fit.id));
+  if (options.better && studies.size() == 1) {
+    ChosenStudySubject better = better_subject(file, studies.front(), options, checkpoint);
+    studies.front() = better.subject.study;
+    return better;
+  }
+  std::optional<ChosenStudySubject> first;
+  const Checkpoint next = stepping(checkpoint, progress, "emit", studies.size());
+  for (Study& study : studies) {
+    next();
+    auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
+    const bool is_for_one = options.better || chosen.from == "fitted" ||
+                            (first && first->subject.parameters != chosen.subject.parameters);
+    if (studies.size() > 1 && is_for_one)
+      throw UserError(fmt::format(
+          "'{}' has {} values of its given constants, and these constants are for one: name it by {}",
+          file.id, studies.size(), has_peak(file.study) ? "--exponent" : "--given"));
+    study = chosen.subject.study;
+    if (!first) first = std::move(chosen);
+  }
+  return *std::move(first);
+}
+
+/// The form with its constants. A given constant of several values is an argument.
+ShaderFunction function_of(const std::string& name, const Study& study, const Constants& constants,
+                           bool is_for_several) {
+  Study free = study;
+  if (is_for_several) {
+    for (const auto& [given, value] : study.given) free.over.push_back({given, "0", "1"});
+    free.given.clear();
+  }
+  const ReadStudy read = read_formulas(free);
   if (integral_depth(read.form) > 0)
     throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
-  ShaderFunction function{name, {}, with_constants(read.form, subject.parameters)};
-  for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
+  return {name, variables_of(read.axes), with_constants(read.form, constants)};
+}
+
+std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint,
+                       const Progress& progress) {
+  const std::string name = function_name(file.id.empty() ? "approximation" : file.id, options);
+  std::vector<Study> studies = combinations(file.study, file.given);
+  const auto [subject, from, origin] = chosen_for_all(file, studies, options, checkpoint, progress);
+  const Study& study = subject.study;
+  const ShaderFunction function = function_of(name, study, subject.parameters, studies.size() > 1);
   const std::vector<OthersText> facts{
-      study.form + " for " + OthersText(study.rows ? "the rows of " + study.rows->file : study.target),
+      study.form + " for " + OthersText(study.rows ? "the rows of " + study.rows->file : study.target) +
+          (file.about.empty() || !is_known_id(file.id) ? OthersText() : "; " + file.about),
       constants_text(subject.parameters) + " (" + origin + ")",
-      error_line(subject, checkpoint),
+      error_line(studies, subject.parameters, checkpoint),
   };
   return code_with(facts, function, options);
 }
@@ -231,8 +214,6 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
                                   options.check.front()));
     return check_generated_files(options.check, checkpoint);
   }
-  if (options.fit.id.empty() && !options.fit.study.form)
-    throw UserError("emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
   if (!options.language) {
     const auto name_of = [](Language language) { return name(language); };
     throw UserError("emit needs --lang: one of " + joined(languages, ", ", name_of));
@@ -240,11 +221,8 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   if (options.fit.study.table == "-")
     throw UserError("--table '-' does not go with emit: the code names its table, for --check");
   const auto file = options.out ? std::optional(OutputFile("--out", *options.out, "the code")) : std::nullopt;
-  const auto study = chosen_study(options.fit, checkpoint);
-  if (options.better && !study)
-    throw UserError(fmt::format("--better is for a study: see 'shadefit better {}'", options.fit.id));
-  const std::string code =
-      study ? study_code(*study, options, checkpoint) : code_of(options, checkpoint, progress);
+  const StudyFile study = chosen_study(options.fit, checkpoint);
+  const std::string code = study_code(study, options, checkpoint, progress);
   if (!file) return {0, code, ""};
   return {0, fmt::format("Code: {}\n", printable(*options.out)), "",
           file->prepare(code, options.force, checkpoint)};

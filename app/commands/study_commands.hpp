@@ -18,8 +18,6 @@ namespace shadefit {
 std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
                                             const Progress& progress = unwatched);
 
-Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
-                      const Progress& progress);
 Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                              const Progress& progress);
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,

@@ -37,8 +37,8 @@ void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_defa
 void add_domain(CLI::App& command, FitOptions& fit) {
   add_value(
       command, "--domain", fit.metric.domain, parse_domain, "A:B",
-      "for a built-in family: the range of cosines of the fit and of its errors, for example cos(60deg):1; "
-      "0deg:60deg is the same (default: 0:1)");
+      "the range of the variable, if it is a cosine, for example cos(60deg):1; 0deg:60deg is the same "
+      "(default of a built-in family: 0:1)");
 }
 
 /// Adds the options for the surface of a Fresnel form.
@@ -55,7 +55,7 @@ void add_surface(CLI::App& command, FitOptions& fit) {
 void add_metric(CLI::App& command, FitOptions& fit) {
   add_choice(
       command, "--measure", fit.metric.measure, by_name(measures),
-      "for a built-in family, how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
+      "how the range of a cosine is weighted: evenly in the cosine, in the angle, or by the cosine");
   add_choice(
       command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
       "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
@@ -88,8 +88,7 @@ void add_constraints(CLI::App& command, Metric& metric) {
   add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
              "a parameter that is given, not fitted; may be repeated");
   add_values(command, "--exact-at", constraints.exact_at, parse_finite, "C",
-             "an end of the domain where the form equals its target; may be repeated. For a built-in family "
-             "--exact-at, --one-sided, --at-most and --at-least need --norm minimax");
+             "an end of the range where the form equals its target; may be repeated");
   add_choice(command, "--one-sided", constraints.one_sided, by_name(std::array{Side::above, Side::below}),
              "the side of its target on which the form stays");
   add_value(command, "--at-most", constraints.at_most, parse_finite, "V",
@@ -97,7 +96,7 @@ void add_constraints(CLI::App& command, Metric& metric) {
   add_value(command, "--at-least", constraints.at_least, parse_finite, "V",
             "the form stays at or above this value");
   add_choice(command, "--monotone", constraints.monotone, by_name(std::array{Course::falls, Course::rises}),
-             "the course of a form of your own: falls if it never rises, rises if it never falls");
+             "the course of the form: falls if it never rises, rises if it never falls");
 }
 
 /// The id of a form, and beside that of a study a word for one of its forms.
@@ -122,8 +121,8 @@ CLI::Option* add_evaluate(CLI::App& command, FitOptions& options) {
   };
   return add_value(
       command, "--evaluate", options.evaluate, format, "half|float",
-      "of a study or --form: constants for a form that is evaluated in this format, in the order that "
-      "emit prints; the best that steps from the fit find");
+      "constants for a form that is evaluated in this format, in the order that emit prints; the best that "
+      "steps from the fit find");
 }
 
 /// Adds the options of a study. Named studies take them too, instead of what the file says.
@@ -256,12 +255,12 @@ void declare_run(CLI::App& run, RunOptions& options) {
 void declare_fit(CLI::App& fit, FitOptions& options) {
   add_fit(fit, options);
   add_json(fit, options.json);
-  auto* csv = add_csv(fit, options.csv, ": the columns of fits.csv");
+  auto* csv = add_csv(fit, options.csv, "");
   auto* latex =
       fit.add_flag("--latex", options.latex, "print a LaTeX tabular")->excludes("--json")->excludes(csv);
   const std::array extras{
       fit.add_flag("--certify", options.certify,
-                   "of a study or --form: also prove bounds of the largest error"),
+                   "also prove bounds of the largest error"),
       add_round(fit, options), add_evaluate(fit, options),
       fit.add_flag(
           "--sensitivity", options.sensitivity,

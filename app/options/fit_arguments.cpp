@@ -5,19 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
 
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/results.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
-#include "fit/quadrature/fit_rules.hpp"
-#include "fit/rounding/round_family.hpp"
-#include "fit/study/require_values.hpp"
-#include "fit/support/decimal.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
@@ -36,81 +29,7 @@ std::vector<double> exponents_for(const Family& family, const Published* publish
   return published != nullptr ? exponents_needed_by(*published, family) : parse_sweep(family.sweep);
 }
 
-/// Refuses a weight that is not finite or negative on the domain.
-void check_weight(const std::string& text, const Domain& domain) {
-  const ReadStudy read = read_formulas({.target = "c",
-                                        .form = "c",
-                                        .over = {{"c", to_text(domain.lower), to_text(domain.upper)}},
-                                        .weight = text});
-  for (const double end : {domain.lower, domain.upper}) {
-    const double value = evaluate<double>(read.weight, [&](const std::string&) { return end; });
-    if (!std::isfinite(value))
-      throw UserError(
-          fmt::format("--weight '{}' is {} at c = {}: it must be finite over the domain", text, value, end));
-  }
-  require_values(read, nodes_of(read, edges_of(read), fit_rules.back()));
-}
-
-/// Requires that each is a parameter of the family, given once, and that one parameter is left to fit.
-void check_held(const std::vector<Held>& held, const Family& family) {
-  const auto text = [](const Held& h) { return h.parameter + "=" + to_text(h.value); };
-  const auto& known = family.parameters;
-  for (auto h = held.begin(); h != held.end(); ++h) {
-    if (std::ranges::find(known, h->parameter) == known.end())
-      throw UserError(fmt::format("--fix '{}': {} has no parameter '{}', it must be one of {}", text(*h),
-                                  family.id, h->parameter, fmt::join(known, ", ")));
-    if (std::any_of(held.begin(), h, [&](const Held& other) { return other.parameter == h->parameter; }))
-      throw UserError(fmt::format("--fix '{}' gives {} a second time", text(*h), h->parameter));
-  }
-  if (held.size() == known.size())
-    throw UserError(fmt::format("--fix '{}' leaves nothing to fit: {} has no other parameter",
-                                text(held.back()), family.id));
-}
-
-/// The first constraint that a least-squares fit does not support, as option and value.
-std::optional<std::pair<const char*, std::string>> constraint_for_minimax(const Constraints& constraints) {
-  if (!constraints.exact_at.empty()) return {{"--exact-at", to_text(constraints.exact_at.front())}};
-  if (constraints.one_sided) return {{"--one-sided", std::string(name(*constraints.one_sided))}};
-  if (constraints.at_most) return {{"--at-most", to_text(*constraints.at_most)}};
-  if (constraints.at_least) return {{"--at-least", to_text(*constraints.at_least)}};
-  return std::nullopt;
-}
-
-/// The cosines that count at a setting; a relative error must be defined at some of them.
-Domain domain_that_counts(const Family& family, const Setting& setting, const Metric& metric) {
-  if (metric.error == Error::absolute) return metric.domain;
-  if (family.is_fresnel && setting.surface.f0 == 0.0 && metric.domain.upper == 1)
-    throw UserError(
-        "--error 'relative' divides by zero: with --f0 '0' the reflectance F is 0 at c = 1; end the domain "
-        "below 1 or raise f0");
-  const auto domain = family.relative_domain(setting, metric.domain);
-  if (!domain)
-    throw UserError(fmt::format(
-        "--error 'relative' has no meaning for {} at exponent {} on {}: its target is below 1/255, or that "
-        "is below any double",
-        family.id, setting.exponent, to_text(metric.domain)));
-  return *domain;
-}
-
-/// The published number for a parameter of a fit: from the requested record, else the first number that is a
-/// best fit in that setting.
-const Published* published_for(const Family& family, std::string_view parameter, const Setting& setting,
-                               const Published* asked) {
-  if (asked != nullptr && asked->parameter == parameter) return asked;
-  for (const Published& p : published_constants()) {
-    if (p.family != family.id || p.parameter != parameter || p.statement != Statement::best_fit) continue;
-    if (!family.has_exponent() || exponents_of(p) == std::vector{setting.exponent}) return &p;
-  }
-  return nullptr;
-}
-
 }  // namespace
-
-void refuse_minimax_constraints(const Constraints& constraints) {
-  if (const auto found = constraint_for_minimax(constraints))
-    throw UserError(fmt::format("{} '{}' does not apply to least squares: it belongs to --norm minimax",
-                                found->first, found->second));
-}
 
 Surface surface_for(const Family& family, const FitOptions& options) {
   const bool is_exact = options.target == Surface::Formula::exact;
@@ -127,6 +46,10 @@ Surface surface_for(const Family& family, const FitOptions& options) {
   }
   if (!options.ior && !is_exact) {
     if (options.extinction) refuse("--extinction", to_text(*options.extinction), "it belongs to --ior");
+    if (options.metric.error == Error::relative && options.f0 == 0.0 && options.metric.domain.upper == 1)
+      throw UserError(
+          "--error 'relative' divides by zero: with --f0 '0' the reflectance F is 0 at c = 1; end the domain "
+          "below 1 or raise f0");
     return {.f0 = options.f0};
   }
   if (options.f0) refuse("--f0", to_text(*options.f0), "a surface of --ior has its own");
@@ -154,34 +77,6 @@ std::vector<Setting> settings_for(const Family& family, const Published* publish
   return {exponents.begin(), exponents.end()};
 }
 
-Metric metric_for(const FitOptions& options, const Family& family, std::span<const Setting> settings) {
-  Metric metric = options.metric;
-  auto& places = metric.constraints.exact_at;
-  std::ranges::sort(places);
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  const Constraints& constraints = metric.constraints;
-  if (!metric.weight.empty()) check_weight(metric.weight, metric.domain);
-  if (!constraints.held.empty()) check_held(constraints.held, family);
-  if (constraints.at_most && constraints.at_least && *constraints.at_most < *constraints.at_least)
-    throw UserError(fmt::format("--at-least '{}' exceeds --at-most '{}': no value is between",
-                                *constraints.at_least, *constraints.at_most));
-  const auto for_minimax = constraint_for_minimax(constraints);
-  if (metric.norm == Norm::least_squares) refuse_minimax_constraints(constraints);
-  if (options.sensitivity && for_minimax)
-    throw UserError(
-        fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
-                    for_minimax->first, for_minimax->second));
-  for (const Setting& setting : settings) {
-    const Domain domain = domain_that_counts(family, setting, metric);
-    for (const double c : constraints.exact_at) {
-      if (c != domain.lower && c != domain.upper)
-        throw UserError(
-            fmt::format("--exact-at '{}' is not an end of the domain {}", to_text(c), to_text(domain)));
-    }
-  }
-  return metric;
-}
-
 NamedFit find_fit(const std::string& id) {
   const bool is_normalisation =
       std::ranges::find(normalisations, id, &Normalisation::id) != normalisations.end();
@@ -198,16 +93,6 @@ NamedFit find_fit(const std::string& id) {
   return {find_family(published != nullptr ? published->family : std::string_view(id)), published};
 }
 
-std::string headline(const Metric& metric) {
-  if (metric.norm == Norm::minimax)
-    return describe(metric) +
-           fmt::format("; the {} measure counts for the rms error alone", name(metric.measure));
-  const bool is_plain =
-      metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
-  return is_plain ? describe(metric) + " measure, least squares"
-                  : "least squares, measure: " + describe(metric);
-}
-
 std::string option_of_fits(const std::set<std::string>& present) {
   constexpr std::array all{"--norm",      "--start",   "--bounds",   "--fix",      "--exact-at",
                            "--one-sided", "--at-most", "--at-least", "--monotone", "--round"};
@@ -217,39 +102,6 @@ std::string option_of_fits(const std::set<std::string>& present) {
 
 std::string words_of_rounding(const NumberFormat& format) {
   return "the smallest largest error of constants in " + to_text(format);
-}
-
-ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
-                               const Setting& setting, const Metric& metric, const FitOptions& options,
-                               const Checkpoint& checkpoint) {
-  const Family& family = *named.family;
-  const bool has_weight = options.present.contains("--weight");  // no proof of a family has one
-  const std::string asks_for_fit = has_weight ? "--weight" : option_of_fits(options.present);
-  if (parameters && !asks_for_fit.empty())
-    throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
-  FamilySubject subject{std::string(family.id), {}, setting, metric.error, metric.domain};
-  if (parameters) {
-    const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
-    subject.parameters = in_order(*parameters, known);
-    return {subject, "given"};
-  }
-  for (const std::string_view parameter : family.parameters) {
-    const Published* p = published_for(family, parameter, setting, named.published);
-    if (asks_for_fit.empty() && p != nullptr) subject.parameters.emplace_back(parameter, p->printed);
-  }
-  if (subject.parameters.size() == family.parameters.size()) return {subject, "published"};
-  const Fit fit = family.fit(setting, metric);
-  if (fit.status != Status::converged) {
-    throw UserError(fmt::format("{}{}: its fit did not converge{}: give --parameters", family.id,
-                                family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : "",
-                                fit.why.empty() ? "" : fmt::format(" ({})", fit.why)));
-  }
-  subject = subject_of(fit, metric.error);
-  if (options.round) {
-    const std::vector<std::string> texts = round_fit(fit, *options.round, {}, checkpoint).best.texts;
-    for (std::size_t i = 0; i < texts.size(); ++i) subject.parameters[i].second = texts[i];
-  }
-  return {subject, "fitted"};
 }
 
 }  // namespace shadefit

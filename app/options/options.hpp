@@ -88,7 +88,6 @@ struct EmitOptions {
   bool force = false;                    ///< as in `RunOptions`
   bool better = false;                   ///< the set that is better than the published one
   std::vector<std::string> check = {};   ///< generated files
-  std::vector<std::string> words = {};   ///< of the command that prints this code, for its comment
 };
 
 struct VerifyOptions {

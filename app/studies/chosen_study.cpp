@@ -8,8 +8,10 @@
 #include <string_view>
 
 #include "app/options/fit_arguments.hpp"
+#include "app/studies/family_file.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/better/results.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "fit/formula/formula_text.hpp"
 #include "fit/input/bounded_file.hpp"
 #include "fit/input/known.hpp"
@@ -18,46 +20,63 @@
 namespace shadefit {
 namespace {
 
-/// A built-in family has no formulas.
-void require_family_options(const FitOptions& options) {
+/// The options that a built-in family does not take: its target and its form are given.
+void refuse_formulas(const FitOptions& options) {
   const StudyOptions& study = options.study;
+  if (study.form)
+    throw UserError(fmt::format("'{}' does not go with --form: leave the family out", options.id));
   if (!study.target.empty() && !options.target)
     throw UserError(
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
   if (study.word) throw UserError(fmt::format("'{}' has one form: leave '{}' out", options.id, *study.word));
-  constexpr std::array of_studies{"--table", "--value",  "--over",   "--given",   "--let",
-                                  "--start", "--bounds", "--params", "--monotone"};
-  for (const char* option : of_studies) {
-    if (options.present.contains(option) || (option == std::string_view("--over") && !study.over.empty()))
+  for (const char* option : {"--table", "--value", "--let", "--params"}) {
+    if (options.present.contains(option))
       throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
   }
 }
 
-/// Options that belong to built-in families.
-void refuse_others(const FitOptions& options, const std::string& with) {
-  const auto refuse = [&](const std::string& option, const std::string& why) {
-    throw UserError(fmt::format("{} does not go with {}: {}", option, with, why));
-  };
-  if (options.exponents) refuse("--exponent", "write it as a name in the formulas, and set that by --given");
-  if (options.ior || options.extinction || options.f0)
-    refuse(options.ior          ? "--ior"
-           : options.extinction ? "--extinction"
-                                : "--f0",
-           "write the reflectance of the surface as the --target");
-  if (options.present.contains("--domain") || options.study.has_domain)
-    refuse("--domain", "give the range by --over, for example x=0:1");
-  if (options.present.contains("--measure")) refuse("--measure", "give the density by --over x=0:1:angle");
+/// Options of the surface of a Fresnel form.
+void refuse_surface(const FitOptions& options, const std::string& with) {
+  const char* option = options.ior ? "--ior" : options.extinction ? "--extinction" : options.f0 ? "--f0" : "";
+  if (*option != '\0')
+    throw UserError(fmt::format(
+        "{} does not go with {}: write the reflectance of the surface as the --target", option, with));
+}
+
+/// --exponent, --domain and --measure are other words for --given and --over.
+void change_range(StudyFile& file, const FitOptions& options) {
+  const bool has_domain = options.present.contains("--domain") || options.study.has_domain,
+             has_measure = options.present.contains("--measure");
+  if (!has_domain && !has_measure) return;
+  if (file.study.over.size() != 1)
+    throw UserError(
+        fmt::format("{} is for one variable: say it by --over", has_domain ? "--domain" : "--measure"));
+  StudyRange& range = file.study.over.front();
+  if (has_domain) {
+    range.lower = to_text(options.metric.domain.lower);
+    range.upper = to_text(options.metric.domain.upper);
+  }
+  if (has_measure) range.density = density_of(std::string(name(options.metric.measure)), range.variable);
+}
+
+/// The constants of --given, and the exponents.
+std::vector<std::pair<std::string, std::vector<std::string>>> given_of(const FitOptions& options) {
+  auto given = options.study.given;
+  if (!options.exponents) return given;
+  std::vector<std::string>& values = given.emplace_back("k", std::vector<std::string>{}).second;
+  for (const double exponent : *options.exponents) values.push_back(to_text(exponent));
+  return given;
 }
 
 /// The values of the options instead of those of the file.
-void change_given(StudyFile& file, const StudyOptions& options) {
-  for (const auto& [constant, values] : options.given) {
+void change_given(StudyFile& file, const FitOptions& options) {
+  for (const auto& [constant, values] : given_of(options)) {
     const auto same = [&, &name = constant](const auto& given) { return given.first == name; };
     const auto found = std::ranges::find_if(file.given, same);
     if (found == file.given.end()) {
       file.given.emplace_back(constant, values);
-    } else if (options.form && file.id.empty()) {
+    } else if (options.study.form && file.id.empty()) {
       throw UserError(fmt::format("--given '{}' is given a second time", constant));
     } else {
       found->second = values;
@@ -65,16 +84,18 @@ void change_given(StudyFile& file, const StudyOptions& options) {
   }
 }
 
-void require_use(const StudyFile& file, const StudyOptions& options) {
+void require_use(const StudyFile& file, const FitOptions& options) {
   std::string all = file.study.target + " " + file.study.weight;
   for (const StudyForm& form : file.forms) all += " " + form.formula;
   for (const StudyDefinition& definition : file.study.definitions) all += " " + definition.formula;
   for (const StudyRange& range : file.study.over)
     all += " " + range.lower + " " + range.upper + " " + range.density;
   const std::vector<std::string> names = names_in(all);
-  for (const auto& [constant, values] : options.given) {
-    if (std::ranges::find(names, constant) == names.end())
-      throw UserError(fmt::format("--given '{}': no formula of the study has this name", constant));
+  for (const auto& [constant, values] : given_of(options)) {
+    if (std::ranges::find(names, constant) != names.end()) continue;
+    const bool is_exponent = constant == "k" && options.exponents;
+    throw UserError(fmt::format("{}: no formula of the study has this name",
+                                is_exponent ? "--exponent k" : fmt::format("--given '{}'", constant)));
   }
 }
 
@@ -106,17 +127,21 @@ void change_form(StudyFile& file, const StudyOptions& own) {
 void change_metric(StudyFile& file, const FitOptions& options) {
   const Metric& metric = options.metric;
   if (options.present.contains("--norm")) file.norm = metric.norm;
-  if (options.present.contains("--error")) file.study.error = metric.error;
-  if (options.present.contains("--weight")) {
-    file.study.weight = metric.weight;
-    file.has_weight = true;
-  }
   const Constraints& asked = metric.constraints;
   if (!asked.exact_at.empty()) file.constraints.exact_at = asked.exact_at;
   if (asked.one_sided) file.constraints.one_sided = asked.one_sided;
   if (asked.at_most) file.constraints.at_most = asked.at_most;
   if (asked.at_least) file.constraints.at_least = asked.at_least;
   if (asked.monotone) file.constraints.monotone = asked.monotone;
+}
+
+/// The error and its weight; those of a built-in family belong to its target.
+void change_error(StudyFile& file, const FitOptions& options) {
+  if (options.present.contains("--error")) file.study.error = options.metric.error;
+  if (options.present.contains("--weight")) {
+    file.study.weight = options.metric.weight;
+    file.has_weight = true;
+  }
 }
 
 /// The bounds of the options instead of those of the file.
@@ -159,32 +184,23 @@ void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
   }
 }
 
-}  // namespace
+/// The study that is named, or an empty one for --form.
+StudyFile named_file(const FitOptions& options) {
+  if (options.id.empty()) return {};
+  const auto folders = study_folders(options.studies);
+  auto found = find_study(options.id, folders);
+  if (!found) {
+    std::vector<std::string> known = fitted_ids();
+    for (const std::string& id : study_ids(folders)) known.push_back(id);
+    require_known(options.id, known, "form, constant or study");
+  }
+  return *std::move(found);
+}
 
-std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoint& checkpoint) {
+/// The options that belong to a study, not to a built-in family.
+void change_study(StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint) {
   const StudyOptions& own = options.study;
-  if (options.id.empty() && !own.form) {
-    require_family_options(options);
-    return std::nullopt;
-  }
-  if (is_known_id(options.id)) {
-    if (own.form)
-      throw UserError(fmt::format("'{}' does not go with --form: leave the family out", options.id));
-    require_family_options(options);
-    return std::nullopt;
-  }
-  StudyFile file;
-  if (!options.id.empty()) {
-    const auto folders = study_folders(options.studies);
-    auto found = find_study(options.id, folders);
-    if (!found) {
-      std::vector<std::string> known = fitted_ids();
-      for (const std::string& id : study_ids(folders)) known.push_back(id);
-      require_known(options.id, known, "form, constant or study");
-    }
-    file = *std::move(found);
-  }
-  refuse_others(options, options.id.empty() ? "--form" : "a study");
+  refuse_surface(options, options.id.empty() ? "--form" : "a study");
   if (!own.target.empty() && !own.table.empty())
     throw UserError("--table does not go with --target: the rows are the target");
   if (!own.target.empty()) {
@@ -194,15 +210,11 @@ std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoin
   if (file.study.target.empty() && file.study.rows == nullptr && own.table.empty())
     throw UserError("--form needs a --target, the formula to approximate, or a --table of measured rows");
   if (own.form || own.word) change_form(file, own);
-  if (!own.over.empty()) file.study.over = own.over;
-  change_given(file, own);
   auto& definitions = file.study.definitions;
   definitions.insert(definitions.end(), own.definitions.begin(), own.definitions.end());
-  file.study.held = options.metric.constraints.held;
-  file.study.starts = own.starts;
-  change_bounds(file, own);
   file.study.parameters = own.parameters;
-  change_metric(file, options);
+  change_error(file, options);
+  if (!own.over.empty()) file.study.over = own.over;
   if (own.table == "-") {
     take_rows(file, read_standard_input(most_row_bytes, checkpoint), "standard input", own.value);
   } else if (!own.table.empty()) {
@@ -210,8 +222,35 @@ std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoin
   } else if (options.present.contains("--value")) {
     throw UserError(fmt::format("--value '{}' belongs to --table: it names its column", own.value));
   }
+}
+
+}  // namespace
+
+StudyFile chosen_study(const FitOptions& options, const Checkpoint& checkpoint) {
+  const StudyOptions& own = options.study;
+  if (options.id.empty() && !own.form) {
+    refuse_formulas(options);
+    throw UserError(fmt::format(
+        "{0} needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help {0}')",
+        options.words.front()));
+  }
+  const bool is_family = is_known_id(options.id);
+  StudyFile file = is_family ? family_file(find_fit(options.id), options) : named_file(options);
+  if (is_family) {
+    refuse_formulas(options);
+    if (!own.over.empty()) file.study.over = own.over;
+  } else {
+    change_study(file, options, checkpoint);
+  }
+  change_range(file, options);
+  change_given(file, options);
+  if (has_peak(file.study) && file.study.error == Error::relative) narrow_to_visible(file);
+  file.study.held = options.metric.constraints.held;
+  file.study.starts = own.starts;
+  change_bounds(file, own);
+  change_metric(file, options);
   require_fitting_parts(file, options);
-  require_use(file, own);
+  require_use(file, options);
   return file;
 }
 

@@ -12,11 +12,11 @@
 
 namespace shadefit {
 
-/// The study that the options state or name: --target, --form and --over of the command line, or the file or
-/// the id of a study, changed by the options that are present. Empty if the id is built in. Throws UserError
-/// for an unknown id and for options that belong to built-in families. Calls the checkpoint while it waits
-/// for a table on standard input.
-std::optional<StudyFile> chosen_study(const FitOptions& options, const Checkpoint& checkpoint);
+/// The study that the options state or name: --target, --form and --over of the command line, the file or the
+/// id of a study, or a built-in family, changed by the options that are present. Throws UserError for an
+/// unknown id and for options that do not apply. Calls the checkpoint while it waits for a table on standard
+/// input.
+StudyFile chosen_study(const FitOptions& options, const Checkpoint& checkpoint);
 
 /// The constants of a study that `certify` and `emit` use.
 struct ChosenStudySubject {

@@ -28,6 +28,10 @@ std::string option_of_study_fit(const FitOptions& options) {
 Study without_fit(Study study) {
   study.held.clear();
   study.starts.clear();
+  study.known_starts.clear();
+  study.near_peak = {};
+  study.residual.clear();
+  study.cuts.reset();
   for (StudyRange& range : study.over) range.density = "1";
   return study;
 }
@@ -68,7 +72,7 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
                                         const FitOptions& options, const Checkpoint& checkpoint) {
   const StudyForm& form = file.forms.front();
   Study whole = study;
-  whole.form = form.formula;
+  take_form(whole, form);
   const Study bare = without_fit(whole);
   const std::vector<std::string> names = read_formulas(bare).parameters;
   const auto chosen = [&](const Constants& constants, std::string_view from, const OthersText& origin) {

@@ -2,19 +2,20 @@
 
 #include <string>
 
-#include "approx/fresnel.hpp"
 #include "bench/solver/benchmarks.hpp"
-#include "fit/bounds/family_subject.hpp"
+#include "fit/bounds/study_certificate.hpp"
+#include "fit/catalogue/published.hpp"
 
 namespace shadefit::bench {
 namespace {
 
 StudySubject published_pair() {
-  FamilySubject pair{.family = "fresnel-quadratic", .parameters = {}};
-  for (const Published& published : published_constants()) {
-    if (published.family == pair.family) pair.parameters.emplace_back(published.parameter, published.printed);
+  StudySubject pair{{.target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}}, {}};
+  for (const char* id : {"fresnel-quadratic-a", "fresnel-quadratic-b"}) {
+    const Published& published = *find_published(id);
+    pair.parameters.emplace_back(published.parameter, published.printed);
   }
-  return in_words(pair);
+  return pair;
 }
 
 /// Bounds with this relative width. The counter `boxes` is the size of the proof.

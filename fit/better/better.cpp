@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "approx/fresnel.hpp"
-#include "fit/bounds/family_subject.hpp"
+#include "fit/bounds/study_certificate.hpp"
+#include "fit/catalogue/catalogue_study.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/support/hex_float.hpp"
 #include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
@@ -30,20 +32,40 @@ ErrorBounds proven_bounds(const StudySubject& subject, double width, const Check
   return {certificate.lower, certificate.upper, is_reached};
 }
 
-/// A form with constants, for the family and setting of the subject.
-Contender contender(Contender::Kind kind, const Family& family, const FamilySubject& subject,
-                    const std::vector<double>& values, double width, const Checkpoint& checkpoint) {
-  const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
+/// The study of a family in its plain formulas of c. Its errors are those of the lobe, or of the reflectance
+/// F if a Fresnel form has a surface.
+Study plain_study_of(const Family& family, const Setting& setting, Error error, const Domain& domain) {
+  Study study;
+  if (family.is_fresnel) {
+    study = fresnel_study(setting.surface, error);
+  } else {
+    study.target = to_text(family.target);
+    study.given["k"] = to_text(setting.exponent);
+    study.error = error;
+  }
+  study.over = {{"c", to_text(domain.lower), to_text(domain.upper)}};
+  study.form = to_text(family.form);
+  return study;
+}
+
+/// A form with constants and their texts, in the setting of the comparison.
+Contender contender(Contender::Kind kind, const Family& family, const Comparison& comparison,
+                    const Constants& constants, const std::vector<double>& values, double width,
+                    const Checkpoint& checkpoint) {
+  const Setting& setting = comparison.setting;
+  const Domain& domain = comparison.domain;
+  const auto relative = family.max_rel_error(setting, domain, values);
+  const StudySubject subject{plain_study_of(family, setting, Error::absolute, domain), constants};
   return {.kind = kind,
           .family = family.id,
           .form = to_text(family.form),
-          .parameters = subject.parameters,
+          .parameters = constants,
           .values = values,
-          .operations = executed(family, subject.setting, values),
-          .max_abs_error = proven_bounds(in_words(subject), width, checkpoint),
-          .at = family.max_abs_error(subject.setting, subject.domain, values).at,
+          .operations = executed(family, setting, values),
+          .max_abs_error = proven_bounds(subject, width, checkpoint),
+          .at = family.max_abs_error(setting, domain, values).at,
           .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
-          .rms_error = family.objective(subject.setting, {.domain = subject.domain})(values)};
+          .rms_error = family.objective(setting, {.domain = domain})(values)};
 }
 
 /// Appends the printed constants of a family, each set once.
@@ -52,15 +74,14 @@ void append_published(Comparison& comparison, const Family& family, const Compar
   auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first number
-    FamilySubject subject{
-        .family = std::string(family.id), .setting = comparison.setting, .domain = options.domain};
+    Constants constants;
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
-      subject.parameters.emplace_back(parameter, printed);
+      constants.emplace_back(parameter, printed);
     const bool is_known = std::ranges::any_of(contenders, [&](const Contender& other) {
-      return other.family == family.id && other.parameters == subject.parameters;
+      return other.family == family.id && other.parameters == constants;
     });
     if (is_known) continue;
-    Contender found = contender(Contender::Kind::published, family, subject,
+    Contender found = contender(Contender::Kind::published, family, comparison, constants,
                                 published_parameters(family, *number), options.width, checkpoint);
     found.published = number->id;
     found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
@@ -81,8 +102,11 @@ void append_fit(Comparison& comparison, const Family& family, Metric metric, dou
                                   std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
     return;
   }
+  Constants constants;
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i)
+    constants.emplace_back(family.parameters[i], hex_text(fit.parameters[i]));
   Contender found =
-      contender(Contender::Kind::fitted, family, subject_of(fit), fit.parameters, width, checkpoint);
+      contender(Contender::Kind::fitted, family, comparison, constants, fit.parameters, width, checkpoint);
   found.origin = objective;
   comparison.contenders.push_back(std::move(found));
 }

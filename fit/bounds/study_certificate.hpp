@@ -62,7 +62,7 @@ CertifiedStudy certify_study(const StudySubject& subject, double width,
                              std::size_t box_limit = most_study_boxes, const KnownIntegrals* known = nullptr);
 
 /// Whether a formula of numbers is exactly that double, as far as 50 digits tell.
-bool is_exactly(const std::string& formula, double value);
+bool is_exactly(const Study& study, const std::string& formula, double value);
 
 /// How many boxes a certificate has.
 std::size_t count_boxes(const StudyCertificate& certificate);

@@ -3,7 +3,6 @@
 
 #include "fit/bounds/enclosed_error.hpp"
 #include "fit/bounds/study_certificate.hpp"
-#include "fit/formula/parse_formula.hpp"
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/integral.hpp"
@@ -83,9 +82,9 @@ std::string fault_of(const StudySubject& subject) {
   }
 }
 
-bool is_exactly(const std::string& formula, double value) {
+bool is_exactly(const Study& study, const std::string& formula, double value) {
   const auto no_variable = [](const std::string&) { return Interval(0); };
-  const Interval number = evaluate<Interval>(parse_formula(formula, {}), no_variable);
+  const Interval number = evaluate<Interval>(numbers_in(study, {"--over"}, formula), no_variable);
   return lower_end(number) == value && upper_end(number) == value;
 }
 

@@ -8,7 +8,7 @@
 #include "fit/catalogue/family.hpp"
 #include "fit/study/study.hpp"
 
-/// The families as studies of one setting: the engine fits nothing else.
+/// The families as studies of one setting.
 namespace shadefit {
 
 /// The upper and the lower end of a range of cosines.
@@ -19,8 +19,8 @@ using CosineRange = std::pair<Cosine<double>, Cosine<double>>;
 std::optional<CosineRange> ends_of(const Family& family, const Setting& setting, const Domain& domain,
                                    Error error);
 
-/// The study of a family between two places. A relative error is that of the family. Its variable is c; of a
-/// lobe with k >= 2 it is t = k (c - 1), in which all lobes are equally wide.
+/// The study of a family between two places of c, with the formulas near its peak and the starts that are
+/// known. A relative error is that of the family.
 Study study_of(const Family& family, const Setting& setting, const Metric& metric, const CosineRange& ends);
 
 /// Target and weight of a Fresnel form for a surface, over c. Without a named surface an absolute error is
@@ -32,12 +32,5 @@ double scale_of_weight(const Study& study, const std::string& weight);
 
 /// What a metric minimises, of such a study without given parameters.
 Objective objective_of(const Study& study, const Metric& metric);
-
-/// The cosine at a value of the variable of that study, and the value at a cosine.
-Cosine<double> cosine_at(const Family& family, const Setting& setting, double variable);
-double variable_at(const Family& family, const Setting& setting, const Cosine<double>& cosine);
-
-/// A sentence that ends with a place of that study, with its cosine: "no parameters .. at c = 0".
-std::string in_cosines(const Family& family, const Setting& setting, std::string sentence);
 
 }  // namespace shadefit

@@ -15,6 +15,7 @@
 #include "fit/scalars/symbolic.hpp"
 #include "fit/steps/alternation.hpp"
 #include "fit/steps/status.hpp"
+#include "fit/study/study.hpp"
 
 /// The forms that are fitted by name, and their fits. Each is a form of a study of studies/catalogue.
 namespace shadefit {
@@ -63,22 +64,6 @@ struct CurvePoint {
 /// A number that is to be small, at given parameters. One thread asks it at a time.
 using Objective = std::function<double(std::span<const double> parameters)>;
 
-/// The trend of a curve with the angle, that is from c = 1 down to c = 0.
-enum class Trend {
-  none,   ///< nothing is said
-  falls,  ///< never rises
-  rises,  ///< never falls
-};
-
-/// Properties that a form must have at its published and fitted parameters; an interval proof shows them
-/// (fit/bounds/family_subject.hpp).
-struct CurveShape {
-  Trend trend = Trend::none;
-  bool is_non_negative = false;
-  bool is_at_most_one = false;
-  bool operator==(const CurveShape&) const = default;
-};
-
 /// A form and its target. Parameters are in the order of `parameters`.
 struct Family {
   std::string id, title;
@@ -86,11 +71,10 @@ struct Family {
   std::string sweep;   ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
   bool is_fresnel;     ///< the target is the weight of a reflectance
   bool is_comparison;  ///< no source names it: `fit` and `list` show it, a report only on request
-  CurveShape curve;
   std::vector<std::string> parameters;
   Symbolic target, form;  ///< of the cosine c and the exponent k; the form of the parameters too
-  /// Formulas of a study: of c, and of y = 1 - c where a lobe is sharp. The error does not cancel.
-  std::string target_text, target_near_peak, form_text, form_near_peak, error_text;
+  Study
+      study;  ///< its target, its form, and those near its peak; a Fresnel form has the target of its surface
   /// Three points, spread over the box of the search: formulas of k, or of the sharpness h of a Fresnel
   /// target; and those for a surface that is seen from inside, if there are others.
   std::vector<std::vector<Symbolic>> starts, starts_inside;

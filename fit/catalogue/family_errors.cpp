@@ -5,6 +5,7 @@
 
 #include "fit/catalogue/catalogue_study.hpp"
 #include "fit/catalogue/family.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "fit/formula/tape_program.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/largest_error.hpp"
@@ -35,13 +36,14 @@ class LargestErrors {
 
  private:
   Extremum largest_between(const CosineRange& ends, Error error) {
-    const ReadStudy study =
-        read_study(study_of(family_, setting_, {.error = error, .domain = domain_}, ends));
-    if (const auto pole = pole_of(study, parameters_)) return {HUGE_VAL, cosine_at(family_, setting_, *pole)};
+    const Study asked = study_of(family_, setting_, {.error = error, .domain = domain_}, ends);
+    const ReadStudy study = read_study(near_peak(asked));
+    const PeakVariable variable = peak_variable(asked);
+    if (const auto pole = pole_of(study, parameters_)) return {HUGE_VAL, variable.cosine_at(*pole)};
     // Of a Fresnel form they are the same for both errors.
     if (edges_.empty() || !family_.is_fresnel) edges_ = edges_of(study);
     const StudyExtremum top = largest_error(weighted_error_of(study), edges_, parameters_);
-    return {top.magnitude, cosine_at(family_, setting_, top.at.front())};
+    return {top.magnitude, variable.cosine_at(top.at.front())};
   }
 
   const Family& family_;
@@ -100,14 +102,16 @@ std::optional<Domain> Family::relative_domain(const Setting& setting, const Doma
 std::function<CurvePoint(const Cosine<double>&)> Family::curve_at(const Setting& setting,
                                                                   std::span<const double> values) const {
   const CosineRange everywhere{{1, 0}, {0, 1}};
-  const ReadStudy absolute = read_study(study_of(*this, setting, {}, everywhere)),
-                  relative = read_study(study_of(*this, setting, {.error = Error::relative}, everywhere));
+  const Study asked = study_of(*this, setting, {}, everywhere);
+  const ReadStudy absolute = read_study(near_peak(asked)),
+                  relative = read_study(
+                      near_peak(study_of(*this, setting, {.error = Error::relative}, everywhere)));
   const auto curves = std::make_shared<std::array<AtCosine, 4>>(std::array<AtCosine, 4>{
       AtCosine(absolute, absolute.target, values), AtCosine(absolute, absolute.form, values),
       AtCosine(absolute, error_formula(absolute), values),
       AtCosine(relative, error_formula(relative), values)});
-  return [this, setting, curves](const Cosine<double>& cosine) {
-    const double at = variable_at(*this, setting, cosine);
+  return [variable = peak_variable(asked), curves](const Cosine<double>& cosine) {
+    const double at = variable.value_at(cosine);
     auto& [of_target, of_form, of_error, of_relative_error] = *curves;
     const double share = of_relative_error(at);
     return CurvePoint{of_target(at), of_form(at), of_error(at),
@@ -117,20 +121,22 @@ std::function<CurvePoint(const Cosine<double>&)> Family::curve_at(const Setting&
 
 Effect Family::effect(const Setting& setting, const Domain& domain, std::span<const double> from,
                       std::span<const double> to) const {
-  ReadStudy study = read_study(
-      study_of(*this, setting, {.domain = domain}, ends_of(*this, setting, domain, Error::absolute).value()));
-  AtCosine before(study, study.form, from), after(study, study.form, to);
+  const Study asked =
+      study_of(*this, setting, {.domain = domain}, ends_of(*this, setting, domain, Error::absolute).value());
+  const PeakVariable variable = peak_variable(asked);
+  ReadStudy changed = read_study(near_peak(asked));
+  AtCosine before(changed, changed.form, from), after(changed, changed.form, to);
   const auto of_cosine = [&](AtCosine& formula) {
-    return [&](const Cosine<double>& cosine) { return formula(variable_at(*this, setting, cosine)); };
+    return [&](const Cosine<double>& cosine) { return formula(variable.value_at(cosine)); };
   };
   Effect effect = sampled_effect(of_cosine(before), of_cosine(after), places_of(*this, setting, domain));
-  study.target = at_parameters(study, study.form, {from.begin(), from.end()});
-  study.form = at_parameters(study, study.form, {to.begin(), to.end()});
-  study.weight = Symbolic::number("1");
-  study.residual.reset();
-  study.parameters.clear();
-  const StudyExtremum largest = largest_error(study, {});
-  effect.absolute = {largest.magnitude, at_cosine(cosine_at(*this, setting, largest.at.front()))};
+  changed.target = at_parameters(changed, changed.form, {from.begin(), from.end()});
+  changed.form = at_parameters(changed, changed.form, {to.begin(), to.end()});
+  changed.weight = Symbolic::number("1");
+  changed.residual.reset();
+  changed.parameters.clear();
+  const StudyExtremum largest = largest_error(changed, {});
+  effect.absolute = {largest.magnitude, at_cosine(variable.cosine_at(largest.at.front()))};
   return effect;
 }
 

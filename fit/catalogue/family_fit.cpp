@@ -19,18 +19,6 @@ std::vector<std::optional<double>> given_parameters(const Family& family, const 
   return given;
 }
 
-/// The starts of a family without its given parameters.
-std::vector<std::vector<double>> free_starts(const Family& family, const Setting& setting,
-                                             const std::vector<std::optional<double>>& given) {
-  std::vector<std::vector<double>> starts;
-  for (const auto& start : family.starts_of(setting)) {
-    starts.emplace_back();
-    for (std::size_t i = 0; i < start.size(); ++i)
-      if (!given[i]) starts.back().push_back(start[i]);
-  }
-  return starts;
-}
-
 /// Takes the fit of a study, whose free parameters are those without a given value.
 void take(Fit& fit, const StudyFit& found, const std::vector<std::optional<double>>& given) {
   fit.status = found.status;
@@ -40,10 +28,7 @@ void take(Fit& fit, const StudyFit& found, const std::vector<std::optional<doubl
   auto next = found.parameters.begin();
   for (std::size_t i = 0; i < given.size(); ++i)
     fit.parameters[i] = given[i] ? *given[i] : next != found.parameters.end() ? *next++ : 0;
-  const Setting setting = setting_of(fit);
   fit.alternation.assign(found.alternation.rbegin(), found.alternation.rend());  // from the peak down
-  for (AlternationPoint& point : fit.alternation)
-    point.at = cosine_at(*fit.family, setting, point.at.cos_theta);
 }
 
 void solve(Fit& fit) {
@@ -56,21 +41,19 @@ void solve(Fit& fit) {
     fit.why = "a relative error has no meaning on this domain";
     return;
   }
-  StudyObjective asked{.study = study_of(family, setting, metric, *ends),
-                       .norm = metric.norm,
-                       .constraints = metric.constraints};
-  for (double& place : asked.constraints.exact_at) place = variable_at(family, setting, {place, 1 - place});
-  const auto given = given_parameters(family, metric.constraints);
+  const StudyObjective asked{.study = study_of(family, setting, metric, *ends),
+                             .norm = metric.norm,
+                             .constraints = metric.constraints};
   StudyFit found;
   try {
-    found = fit_from_starts(asked, free_starts(family, setting, given));
+    found = fit_constants(asked);
     fit.rms_error = found.rms_error / scale_of_weight(asked.study, metric.weight);
   } catch (const Infeasible& error) {
-    fail(found, Status::infeasible, in_cosines(family, setting, error.why));
+    fail(found, Status::infeasible, error.why);
   } catch (const UserError& error) {
     fail(found, Status::not_finite, error.what());
   }
-  take(fit, found, given);
+  take(fit, found, given_parameters(family, metric.constraints));
 }
 
 /// What a relative error is relative to.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fit/catalogue/bounded_study.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "fit/exchange/constrained_study.hpp"
 #include "fit/exchange/minimax_study.hpp"
 #include "fit/panels/features.hpp"
@@ -60,43 +61,63 @@ std::optional<StudyFit> exact_fit(const ReadStudy& study, const std::vector<Held
   return fit;
 }
 
-/// The minimax fit from the least squares of the first start.
-StudyFit minimax_from(const StudyObjective& objective, const std::vector<double>& start) {
+/// The known starts of a study without its held parameters.
+std::vector<std::vector<Held>> free_starts(const Study& study) {
+  std::vector<std::vector<Held>> starts = study.known_starts;
+  for (std::vector<Held>& start : starts) {
+    std::erase_if(start, [&](const Held& value) {
+      return std::ranges::find(study.held, value.parameter, &Held::parameter) != study.held.end();
+    });
+  }
+  return starts;
+}
+
+/// The minimax fit from the least squares of the first known start.
+StudyFit minimax_from_start(const StudyObjective& objective) {
   ReadStudy study = read_study(objective.study);
   study.has_only_starts = true;
   if (!objective.study.cuts) take_limits(study);
-  std::vector<Held> starts;
-  for (std::size_t i = 0; i < start.size(); ++i) starts.push_back({study.parameters[i], start[i]});
-  return solve_minimax_study(study, objective.constraints, starts);
+  return solve_minimax_study(study, objective.constraints, free_starts(objective.study).front());
 }
 
-}  // namespace
-
-Study with_cuts(Study study) {
-  ReadStudy read = read_study(study);
-  take_limits(read);
-  cut_at_features(read);
-  study.cuts = read.axes.front().cuts;
-  return study;
+/// The least-squares fit from all known starts.
+StudyFit squares_from_starts(const Study& study) {
+  PreparedStudy prepared(study);
+  std::vector<std::vector<double>> starts;
+  for (const std::vector<Held>& known : free_starts(study)) {
+    std::vector<double>& start = starts.emplace_back();
+    for (const Held& value : known) start.push_back(value.value);
+  }
+  StudyFit fit = prepared.fit_from(starts);
+  fit.starts = static_cast<int>(starts.size());
+  return fit;
 }
 
-StudyFit errors_of_given(ReadStudy study) {
-  take_limits(study);
-  cut_at_features(study);
-  std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
-  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
-  StudyFit given;
-  given.status = Status::converged;
-  given.rms_error = rms_error(study, StudyError(study), {});
-  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
-  return given;
+/// The fit from the known starts of a study; empty if there are none, or if they do not agree on an answer.
+/// Bounds, and constraints of least squares, have a search of their own.
+std::optional<StudyFit> fit_from_known_starts(const StudyObjective& objective) {
+  const Study& study = objective.study;
+  const bool is_minimax = objective.norm == Norm::minimax;
+  if (study.known_starts.empty() || !study.bounds.empty() || study.rows) return std::nullopt;
+  if (!is_minimax && has_constraints(objective.constraints)) return std::nullopt;
+  try {
+    StudyFit fit = is_minimax ? minimax_from_start(objective) : squares_from_starts(study);
+    if (fit.status == Status::converged && !pole_of(read_study(study), fit.parameters)) return fit;
+  } catch (const Infeasible&) {
+    throw;
+  } catch (const UserError&) {
+    // A search finds more, or says why there is nothing.
+  }
+  return std::nullopt;
 }
 
-StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
+/// The fit of a study whose variable is its own.
+StudyFit fit_in_its_variable(const StudyObjective& objective, const Checkpoint& checkpoint) {
   if (!objective.study.held.empty()) {
     const ReadStudy formulas = read_formulas(objective.study);
     if (formulas.parameters.empty()) return errors_of_given(formulas);
   }
+  if (auto known = fit_from_known_starts(objective)) return *std::move(known);
   ReadStudy read = read_study(objective.study);
   take_limits(read);
   const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
@@ -131,17 +152,63 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
   return fit;
 }
 
-StudyFit fit_from_starts(const StudyObjective& objective, const std::vector<std::vector<double>>& starts) {
+/// The places of a fit, as cosines.
+void take_cosines(StudyFit& fit, const PeakVariable& variable) {
+  fit.why = in_cosines(variable, std::move(fit.why));
+  for (double& place : fit.max_abs_error.at) place = variable.cosine_at(place).cos_theta;
+  for (AlternationPoint& point : fit.alternation) point.at = variable.cosine_at(point.at.cos_theta);
+}
+
+/// Fits a study near its peak. Without `has_errors` the largest errors of a fit from known starts are left
+/// out.
+StudyFit fit_near_peak(const StudyObjective& objective, bool has_errors, const Checkpoint& checkpoint) {
+  const PeakVariable variable = peak_variable(objective.study);
+  StudyObjective near = objective;
+  near.study = near_peak(objective.study);
+  for (double& place : near.constraints.exact_at) place = variable.value_at({place, 1 - place});
   try {
-    StudyFit fit = objective.norm == Norm::minimax ? minimax_from(objective, starts.front())
-                                                   : PreparedStudy(objective.study).fit_from(starts);
-    if (fit.status == Status::converged && !pole_of(read_study(objective.study), fit.parameters)) return fit;
-  } catch (const Infeasible&) {
-    throw;
-  } catch (const UserError&) {
-    // A search finds more, or says why there is nothing.
+    StudyFit fit = fit_in_its_variable(near, checkpoint);
+    if (has_errors && fit.status == Status::converged && !near.study.rows) {
+      const ReadStudy read = read_formulas(near.study);
+      if (fit.max_abs_error.at.empty()) fit.max_abs_error = largest_error(read, fit.parameters);
+      if (near.study.weight != "1")
+        fit.max_weighted_error = largest_weighted_error(read, fit.parameters).magnitude;
+    }
+    if (has_peak(objective.study)) take_cosines(fit, variable);
+    return fit;
+  } catch (const Infeasible& error) {
+    throw Infeasible(in_cosines(variable, error.why));
   }
-  return fit_study(objective);
+}
+
+}  // namespace
+
+Study with_cuts(Study study) {
+  ReadStudy read = read_study(study);
+  take_limits(read);
+  cut_at_features(read);
+  study.cuts = read.axes.front().cuts;
+  return study;
+}
+
+StudyFit errors_of_given(ReadStudy study) {
+  take_limits(study);
+  cut_at_features(study);
+  std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
+  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
+  StudyFit given;
+  given.status = Status::converged;
+  given.rms_error = rms_error(study, StudyError(study), {});
+  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
+  return given;
+}
+
+StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
+  return fit_near_peak(objective, true, checkpoint);
+}
+
+StudyFit fit_constants(const StudyObjective& objective, const Checkpoint& checkpoint) {
+  return fit_near_peak(objective, false, checkpoint);
 }
 
 }  // namespace shadefit

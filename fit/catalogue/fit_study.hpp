@@ -29,12 +29,12 @@ StudyFit errors_of_given(ReadStudy study);
 /// looked at again.
 Study with_cuts(Study study);
 
-/// The fit under an objective; its errors, where all parameters are held. Throws UserError like `read_study`,
-/// `solve_study` and `solve_minimax_study`.
+/// The fit under an objective; its errors, where all parameters are held. It starts where the study knows
+/// where, and searches the basins else. Throws UserError like `read_study`, `solve_study` and
+/// `solve_minimax_study`.
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 
-/// The same where somebody knows starts of all free parameters. If they do not agree on an answer, the basins
-/// are searched as for `fit_study`.
-StudyFit fit_from_starts(const StudyObjective& objective, const std::vector<std::vector<double>>& starts);
+/// The same for its constants, digits and rms error: a fit from known starts has no largest error yet.
+StudyFit fit_constants(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

@@ -15,7 +15,7 @@ namespace {
 const MoreKeys keys_of_families{
     .of_file = {"error_of"},
     .of_target = {"near_peak"},
-    .of_form = {"near_peak", "title", "variables", "curve", "is_comparison", "starts", "starts_inside"},
+    .of_form = {"near_peak", "title", "variables", "is_comparison", "starts", "starts_inside"},
     .of_published = {"id", "statement", "sweep", "convention"}};
 
 /// The value of a word.
@@ -25,22 +25,6 @@ T named(const TomlReader& reader, const toml::node& node, const std::string& wor
   const auto found = std::ranges::find(values, word, &std::pair<std::string_view, T>::first);
   if (found == values.end()) reader.fail(node, "'" + word + "' is unknown here");
   return found->second;
-}
-
-CurveShape curve_of(const TomlReader& reader, const toml::table& form) {
-  CurveShape curve;
-  for (const toml::node* node : reader.list(form, "curve")) {
-    const std::string word = reader.text(*node, "curve");
-    if (word == "non-negative") {
-      curve.is_non_negative = true;
-    } else if (word == "at most 1") {
-      curve.is_at_most_one = true;
-    } else {
-      curve.trend =
-          named<Trend, 2>(reader, *node, word, {{{"falls", Trend::falls}, {"rises", Trend::rises}}});
-    }
-  }
-  return curve;
 }
 
 /// Points of the search: a formula for each parameter.
@@ -62,6 +46,7 @@ Family family_of(const TomlReader& reader, const toml::table& whole, const toml:
   Study study = file.study;
   if (!file.given.empty()) study.given = {{"k", file.given.front().second.front()}};
   take_form(study, read);
+  study.near_peak = {reader.optional(target, "near_peak"), reader.optional(form, "near_peak")};
   const ReadStudy formulas = read_formulas(study);
   const auto of_exponent = [](const std::string& formula) {
     return read_formula(formula, {.variables = {"c", "k"}, .takes_parameters = true, .takes_integrals = true})
@@ -73,15 +58,10 @@ Family family_of(const TomlReader& reader, const toml::table& whole, const toml:
           .sweep = file.given.empty() ? "" : reader.required(*whole["given"].as_table(), "k"),
           .is_fresnel = whole.contains("error_of"),
           .is_comparison = reader.flag(form, "is_comparison"),
-          .curve = curve_of(reader, form),
           .parameters = formulas.parameters,
           .target = of_exponent(study.target),
           .form = of_exponent(study.form),
-          .target_text = study.target,
-          .target_near_peak = reader.optional(target, "near_peak"),
-          .form_text = study.form,
-          .form_near_peak = reader.optional(form, "near_peak"),
-          .error_text = read.error,
+          .study = study,
           .starts = starts_of(reader, form, "starts"),
           .starts_inside = starts_of(reader, form, "starts_inside")};
 }

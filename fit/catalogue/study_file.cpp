@@ -35,6 +35,13 @@ std::string_view name(StatedError error) {
 void take_form(Study& study, const StudyForm& form) {
   study.form = form.formula;
   study.residual = form.error;
+  study.near_peak.form = form.near_peak;
+  study.known_starts.clear();
+  for (const PrintedValues& start : form.starts) {
+    std::vector<Held>& known = study.known_starts.emplace_back();
+    for (const auto& [parameter, value] : start)
+      known.push_back({parameter, number_in(study, {"--form"}, value)});
+  }
 }
 
 bool is_for(const PublishedSet& set, const Study& study) {

@@ -15,16 +15,19 @@
 /// A study with a name: a target, the forms that compete for it, and the constants that were published.
 namespace shadefit {
 
-struct StudyForm {
-  std::string id, formula;
-  std::string error = {};  ///< form - target by a formula that does not cancel; empty: their difference
-};
-
-/// The study with this form.
-void take_form(Study& study, const StudyForm& form);
-
 /// Constants as printed: names and decimal texts, because the number of digits matters.
 using PrintedValues = std::vector<std::pair<std::string, std::string>>;
+
+struct StudyForm {
+  std::string id, formula;
+  std::string error = {};      ///< form - target by a formula that does not cancel; empty: their difference
+  std::string near_peak = {};  ///< as in `Study`
+  /// As the known starts of a study: formulas of numbers and of its given constants.
+  std::vector<PrintedValues> starts = {};
+};
+
+/// The study with this form. Its given constants are known.
+void take_form(Study& study, const StudyForm& form);
 
 /// An error that a source states.
 enum class StatedError {
@@ -75,6 +78,7 @@ struct PublishedSet {
   std::vector<OthersText> where = {};       ///< repositories and files that use it
   std::vector<ErrorClaim> claims = {};      ///< about its errors
   std::vector<MistypedCopy> variants = {};  ///< copies that differ
+  bool is_stated_fit = false;               ///< the source says that it is the fit that the study asks for
 };
 
 struct StudyFile {

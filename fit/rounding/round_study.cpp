@@ -5,6 +5,7 @@
 
 #include "fit/rounding/lattice_search.hpp"
 #include "fit/rounding/study_lattice.hpp"
+#include "fit/scalars/narrow_result.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {
@@ -81,6 +82,12 @@ RoundedStudy round_to_narrow(const RoundingTask& asked) {
   if (asked.study.axes.size() > 1)
     throw UserError(asked.option + " takes one variable: take float or decimal:N for " +
                     std::to_string(asked.study.axes.size()));
+  for (const auto& [name, text] : asked.objective.study.given) {
+    const double value = number_in(asked.objective.study, {"--given", name}, text);
+    if (!std::isfinite(static_cast<double>(NarrowResult<Format>::rounded(value))))
+      throw UserError(asked.option + ": " + name + " = " + text + " overflows: the largest is " +
+                      to_text(largest_of<Format>));
+  }
   auto in_format = study_in<Format>(asked.study, asked.option, asked.checkpoint);
   NarrowStudyProblem<Format> problem(asked.study, in_format);
   RoundedStudy result = searched_for_all(asked, BinaryLattice<Format>{}, problem, [&](RoundedStudySet& set) {

@@ -41,8 +41,7 @@ FormulaNames names_of_numbers() {
 }
 
 /// The value of a formula without variables.
-double number_of(const StudyPart& part, const std::string& text) {
-  const Symbolic formula = read(part, text, names_of_numbers()).formula;
+double value_of(const StudyPart& part, const std::string& text, const Symbolic& formula) {
   const auto value = static_cast<double>(in_50_digits(formula));
   if (!std::isfinite(value)) throw StudyFault(part, quoted(text) + " is not a finite number");
   return value;
@@ -79,11 +78,11 @@ StudyAxis axis_of_column(const StudyRange& range, const std::vector<double>& val
   return {range.variable, *least, *most, Symbolic::number("1")};
 }
 
-StudyAxis axis_of_range(const StudyRange& range) {
+StudyAxis axis_of_range(const StudyRange& range, const Study& study) {
   const StudyPart part{"--over", range.variable};
   if (range.lower.empty()) throw StudyFault(part, quoted(range.variable) + " needs a range: for example 0:1");
   const std::string label = quoted(range.variable + "=" + range.lower + ":" + range.upper);
-  const double lower = number_of(part, range.lower), upper = number_of(part, range.upper);
+  const double lower = number_in(study, part, range.lower), upper = number_in(study, part, range.upper);
   if (!(lower < upper)) throw StudyFault(part, label + " is empty: its first end must be below its second");
   if (!std::isfinite(upper - lower)) throw StudyFault(part, label + " is wider than the largest number");
   const Symbolic density = read(part, range.density, {.variables = {range.variable}}, label).formula;
@@ -107,7 +106,7 @@ std::vector<StudyAxis> axes_of(const Study& study) {
     if (!seen.insert(range.variable).second)
       throw StudyFault(part, quoted(range.variable) + " is given a second time");
     axes.push_back(study.rows ? axis_of_column(range, study.rows->places.at(axes.size()))
-                              : axis_of_range(range));
+                              : axis_of_range(range, study));
   }
   return axes;
 }
@@ -284,9 +283,24 @@ void require_residual(const ReadStudy& study) {
     throw StudyFault({"error"}, ": form and target have no finite value with which it could be compared");
 }
 
+Symbolic numbers_in(const Study& study, const StudyPart& part, const std::string& text) {
+  FormulaNames names = names_of_numbers();
+  for (const std::string& name : names_in(text)) {
+    const auto given = study.given.find(name);
+    if (given == study.given.end()) continue;
+    const Symbolic value = read({"--given", name}, given->second, names_of_numbers()).formula;
+    names.definitions.emplace(name, Definition{{}, value});
+  }
+  return read(part, text, names).formula;
+}
+
+double number_in(const Study& study, const StudyPart& part, const std::string& text) {
+  return value_of(part, text, numbers_in(study, part, text));
+}
+
 std::optional<double> value_of_numbers(const std::string& text) {
   try {
-    return number_of({}, text);
+    return number_in({}, {}, text);
   } catch (const UserError&) {
     return std::nullopt;
   }
@@ -364,7 +378,9 @@ ReadStudy read_formulas(const Study& study) {
 
   for (const Held& held : study.held) {
     if (!contains(result.parameters, held.parameter))
-      throw UserError("--fix '" + held.parameter + "': the form has no such parameter");
+      throw UserError("--fix '" + held.parameter + "': " +
+                      (contains(form.parameters, held.parameter) ? "it is given a second time"
+                                                                 : "the form has no such parameter"));
     result = with_held(std::move(result), held.parameter, held.value);
   }
   for (const ParameterBounds& bounds : study.bounds) {

@@ -19,7 +19,7 @@ namespace shadefit {
 /// A variable, its range, and how its values are weighted.
 struct StudyRange {
   std::string variable;
-  std::string lower, upper;   ///< formulas of numbers; both empty where rows give the values
+  std::string lower, upper;   ///< formulas of numbers and given constants; both empty where rows give the values
   std::string density = "1";  ///< a formula in the variable
 };
 
@@ -40,6 +40,12 @@ struct ParameterBounds {
 /// "a=0:1", "a=0:", "a=:1", as the option has them.
 std::string to_text(const ParameterBounds& bounds);
 
+/// Formulas of y = 1 - c in place of those of c: the digits of a curve that is steep next to c = 1 survive in
+/// y. Both are empty where there are none.
+struct NearPeak {
+  std::string target = {}, form = {};
+};
+
 /// What is asked for, as its user wrote it.
 struct Study {
   std::string target, form;
@@ -56,6 +62,9 @@ struct Study {
   std::string weight = "1";  ///< the factor of the error, a formula in the variables
   /// form - target by a formula that does not cancel; empty: their difference.
   std::string residual = {};
+  NearPeak near_peak = {};  ///< of a variable c and a given exponent k (fit/catalogue/near_peak.hpp)
+  /// Points from which its form is fitted: a search starts only if they do not agree on an answer.
+  std::vector<std::vector<Held>> known_starts = {};
   Error error = Error::absolute;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< the target, if it is not a formula
   /// The cuts of its only variable (`StudyAxis`), if somebody has looked for them.
@@ -132,6 +141,13 @@ struct StudyFault : UserError {
   StudyPart part;
   std::string rule;  ///< what follows the option: " 'x=1:0' is empty: it must rise"
 };
+
+/// A formula of numbers and of the given constants of a study, such as an end of its range. Throws StudyFault
+/// where it names something else.
+Symbolic numbers_in(const Study& study, const StudyPart& part, const std::string& text);
+
+/// Its value. Throws StudyFault where that is not finite.
+double number_in(const Study& study, const StudyPart& part, const std::string& text);
 
 /// Reads the formulas of a study. Throws UserError with one line that names the option, its value and the
 /// rule.

@@ -37,8 +37,10 @@ struct StudyFit {
   std::string why = {};  ///< of a fit that did not converge
   /// How many digits of the worst parameter another quadrature rule confirms in long double, at most 14.
   int digits = 0;
-  double rms_error = 0;            ///< sqrt(integral of density * error^2 / integral of density), weighted
-  StudyExtremum max_abs_error;     ///< of form - target, sampled and refined; of rows the largest residual
+  double rms_error = 0;         ///< sqrt(integral of density * error^2 / integral of density), weighted
+  StudyExtremum max_abs_error;  ///< of form - target, sampled and refined; of rows the largest residual
+  std::optional<double> max_weighted_error =
+      std::nullopt;                ///< the largest |weight * error|, of a study with a weight
   int starts = 0;                  ///< from how many starts the optimum was looked for
   std::size_t descents = 0;        ///< of least squares: how many went to an end
   std::size_t lowest = 0;          ///< and how many of them ended here

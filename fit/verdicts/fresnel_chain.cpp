@@ -49,8 +49,8 @@ FresnelLink link(const OpticalConstants& constants, const Family* family, std::s
   if (family == nullptr) {
     result.from_exact = reflectance_error(exact, "schlick_weight(c)");
   } else {
-    result.from_schlick = reflectance_error(schlick_surface(ior, extinction), family->form_text, parameters);
-    result.from_exact = reflectance_error(exact, family->form_text, parameters);
+    result.from_schlick = reflectance_error(schlick_surface(ior, extinction), family->study.form, parameters);
+    result.from_exact = reflectance_error(exact, family->study.form, parameters);
   }
   return result;
 }

@@ -3,14 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "approx/scalar.hpp"
+#include "fit/catalogue/near_peak.hpp"
+#include "fit/squares/rules.hpp"
+#include "fit/study/largest_error.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/root.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
+
+/// Fitted constants and what they cost.
+struct FittedConstants {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  /// The objective at other values.
+  std::function<double(const std::vector<double>&)> objective;
+  /// The least objective with constant i held at a value; NaN if that fit fails.
+  std::function<double(std::size_t, double)> profile;
+};
 
 /// Enough to distinguish all doubles.
 constexpr int digits_that_tell_apart = 17;
@@ -41,14 +57,13 @@ std::string shortest(const FittedConstants& constants, std::size_t i, double lim
   return to_text(value);
 }
 
-/// All constants that were fitted, rounded to the fewest digits that keep the objective below a limit. Given
-/// constants stay.
+/// All constants, rounded to the fewest digits that keep the objective below a limit.
 std::optional<CommonDigits> common(const FittedConstants& constants, double limit) {
   for (int digits = 1; digits <= digits_that_tell_apart; ++digits) {
     CommonDigits found{digits, {}, 0};
     std::vector<double> values = constants.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!constants.is_given[i]) values[i] = rounded(values[i], digits);
+      values[i] = rounded(values[i], digits);
       found.parameters.push_back(to_text(values[i]));
     }
     found.objective = constants.objective(values);
@@ -86,64 +101,12 @@ std::optional<double> profile_end(const FittedConstants& constants, std::size_t 
   return has_failed ? std::nullopt : std::optional(value + direction * step);
 }
 
-std::vector<Metric> other_contracts(const Metric& own) {
-  std::vector<Metric> contracts{own};
-  if (own.norm == Norm::least_squares) {
-    for (const Measure measure : measures) {
-      Metric other = own;
-      other.measure = measure;
-      if (other != own) contracts.push_back(other);
-    }
-  }
-  const double tenth = (own.domain.upper - own.domain.lower) / 10;
-  const Domain without_horizon{own.domain.lower + tenth, own.domain.upper},
-      without_peak{own.domain.lower, own.domain.upper - tenth},
-      without_either{own.domain.lower + tenth, own.domain.upper - tenth};
-  for (const Domain& domain : {without_horizon, without_peak, without_either}) {
-    Metric other = own;
-    other.domain = domain;
-    contracts.push_back(other);
-  }
-  return contracts;
-}
-
-/// The constants of a fit of a family. `fit` must outlive them.
-FittedConstants constants_of(const Fit& fit) {
-  const Family& family = *fit.family;
-  const Setting setting = setting_of(fit);
-  FittedConstants constants{{family.parameters.begin(), family.parameters.end()}, fit.parameters, {}, {}, {}};
-  const std::vector<Held>& given = fit.metric.constraints.held;
-  for (const std::string& name : constants.names)
-    constants.is_given.push_back(
-        std::ranges::any_of(given, [&](const Held& h) { return h.parameter == name; }));
-  const Objective objective = family.objective(setting, fit.metric);
-  constants.objective = objective;
-  constants.profile = [&family, setting, &fit, objective](std::size_t i, double value) {
-    if (family.parameters.size() == 1) return objective(std::span(&value, 1));
-    Metric metric = fit.metric;
-    std::vector<Held>& held = metric.constraints.held;
-    held.push_back({std::string(family.parameters[i]), value});
-    if (held.size() == family.parameters.size()) {
-      std::vector<double> all(held.size());
-      for (const Held& h : held) all[parameter_index(family, h.parameter)] = h.value;
-      return objective(all);
-    }
-    const Fit again = family.fit(setting, metric);
-    return again.status == Status::converged ? objective(again.parameters)
-                                             : std::numeric_limits<double>::quiet_NaN();
-  };
-  return constants;
-}
-
-}  // namespace
-
-Sensitivity sensitivity_of(const FittedConstants& constants, const Checkpoint& checkpoint) {
+Sensitivity without_others(const FittedConstants& constants, const Checkpoint& checkpoint) {
   Sensitivity result{.objective = constants.objective(constants.values)};
   const double noticeable_limit = result.objective * (1 + noticeable),
                slight_limit = result.objective * (1 + slight);
   for (std::size_t i = 0; i < constants.values.size(); ++i) {
     checkpoint();
-    if (constants.is_given[i]) continue;  // it has no sensitivity
     result.parameters.push_back({constants.names[i], constants.values[i],
                                  shortest(constants, i, noticeable_limit),
                                  shortest(constants, i, slight_limit),
@@ -155,11 +118,78 @@ Sensitivity sensitivity_of(const FittedConstants& constants, const Checkpoint& c
   return result;
 }
 
-Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint) {
-  Sensitivity result = sensitivity_of(constants_of(fit), checkpoint);
-  for (const Metric& metric : other_contracts(fit.metric)) {
+void require_plain(const StudyObjective& objective) {
+  if (objective.study.rows)
+    throw UserError("--sensitivity does not go with --table: a fit of rows has profile intervals instead");
+  if (objective.constraints != Constraints{})
+    throw UserError("--sensitivity does not go with a constraint: rounded constants do not meet it");
+  if (!objective.study.bounds.empty())
+    throw UserError("--sensitivity does not go with --bounds: rounded constants do not keep to them");
+}
+
+FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit, const Checkpoint& checkpoint) {
+  const ReadStudy study = read_study(near_peak(asked.study));
+  FittedConstants constants{fit.names, fit.parameters, {}, {}};
+  if (asked.norm == Norm::minimax) {
+    constants.objective = [study](const std::vector<double>& parameters) {
+      return largest_weighted_error(study, parameters).magnitude;
+    };
+  } else {
+    constants.objective = [study, error = StudyError(study)](const std::vector<double>& parameters) {
+      return rms_error(study, error, parameters);
+    };
+  }
+  constants.profile = [asked, names = fit.names, objective = constants.objective, checkpoint](std::size_t i,
+                                                                                              double value) {
+    if (names.size() == 1) return objective({value});
+    const StudyFit again = fit_study(holding(asked, names[i], value), checkpoint);
+    // If the held constant alone causes the largest error, the others are free: any of them is the best.
+    const bool is_answer = again.status == Status::converged ||
+                           (asked.norm == Norm::minimax && again.status == Status::degenerate);
+    if (!is_answer) return std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> all = again.parameters;
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(i), value);
+    return objective(all);
+  };
+  return constants;
+}
+
+/// The objectives that differ in the density or in the range.
+std::vector<StudyObjective> others_of(const StudyObjective& asked) {
+  std::vector<StudyObjective> others;
+  const StudyAxis axis = read_study(asked.study).axes.front();
+  if (asked.norm == Norm::least_squares && 0 <= axis.lower && axis.upper <= 1) {
+    for (const char* word : {"angle", "cosine-weighted"}) {
+      StudyObjective other = asked;
+      other.study.over.front().density = density_of(word, axis.variable);
+      other.words += std::string(", measure ") + word;
+      others.push_back(other);
+    }
+  }
+  const double tenth = (axis.upper - axis.lower) / 10;
+  for (const auto& [lower, upper] : {std::pair{axis.lower + tenth, axis.upper},
+                                     {axis.lower, axis.upper - tenth},
+                                     {axis.lower + tenth, axis.upper - tenth}}) {
+    StudyObjective other = asked;
+    other.study.over.front().lower = to_text(lower);
+    other.study.over.front().upper = to_text(upper);
+    other.words += ", " + axis.variable + " in " + to_text(lower) + ":" + to_text(upper);
+    others.push_back(other);
+  }
+  return others;
+}
+
+}  // namespace
+
+Sensitivity sensitivity_of(const StudyObjective& objective, const StudyFit& fit,
+                           const Checkpoint& checkpoint) {
+  require_plain(objective);
+  Sensitivity result = without_others(constants_of(objective, fit, checkpoint), checkpoint);
+  if (objective.study.over.size() > 1) return result;
+  result.others.push_back({objective.words, fit});
+  for (const StudyObjective& other : others_of(objective)) {
     checkpoint();
-    result.contracts.push_back({metric, fit.family->fit(setting_of(fit), metric)});
+    result.others.push_back({other.words, fit_study(other, checkpoint)});
   }
   return result;
 }

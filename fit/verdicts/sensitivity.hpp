@@ -1,15 +1,14 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fit/catalogue/family.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "fit/verdicts/study_verdict.hpp"
 
-/// The digits of a fit's constants that matter, and the dependence of the constants on measure and domain. A
+/// The digits of a fit's constants that matter, and the dependence of the constants on density and range. A
 /// deterministic approximation has no covariance. Its uncertainty is the distance that a constant may move
 /// before the objective (the rms or the largest error) is noticeably worse.
 namespace shadefit {
@@ -35,36 +34,23 @@ struct CommonDigits {
   double objective;
 };
 
-/// A fit whose metric differs in one respect.
-struct OtherContract {
-  Metric metric;
-  Fit fit;
+/// A fit whose objective differs in one respect.
+struct OtherFit {
+  std::string under;  ///< "least squares, measure angle", "least squares, x in 0.1:1"
+  StudyFit fit;
 };
 
 struct Sensitivity {
   double objective;  ///< of the fit: its rms error, or the largest weight * |error|
   std::vector<ParameterSensitivity> parameters = {};
   std::optional<CommonDigits> noticeable_digits = std::nullopt, slight_digits = std::nullopt;
-  std::vector<OtherContract> contracts = {};
+  std::vector<OtherFit> others = {};  ///< the own fit first; of one variable
 };
 
-/// Fitted constants and what they cost.
-struct FittedConstants {
-  std::vector<std::string> names;
-  std::vector<double> values;
-  std::vector<bool> is_given;  ///< of a constant that was not fitted and stays
-  /// The objective at other values.
-  std::function<double(const std::vector<double>&)> objective;
-  /// The least objective with constant i held at a value; NaN if that fit fails.
-  std::function<double(std::size_t, double)> profile;
-};
-
-/// The sensitivity of fitted constants, without other contracts.
-Sensitivity sensitivity_of(const FittedConstants& constants, const Checkpoint& checkpoint = keep_going);
-
-/// The sensitivity of a converged fit. Given parameters are the only constraints that are possible, because
-/// rounded constants do not meet others. The metrics: the fit's own, then other measures if the norm has one,
-/// then domains without a tenth of the cosines at one end or both.
-Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint = keep_going);
+/// The sensitivity of a converged fit. The other objectives are the measures of a cosine if the range is
+/// inside [0, 1], then ranges without a tenth at one end or both. Throws UserError for constraints, because
+/// rounded constants do not meet them, and for measured rows, because their fits have profile intervals.
+Sensitivity sensitivity_of(const StudyObjective& objective, const StudyFit& fit,
+                           const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

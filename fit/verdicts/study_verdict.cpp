@@ -211,7 +211,7 @@ TriedFits tried_fits(StudyObjective asked, const PublishedSet& set, const Checkp
   asked.study = with_cuts(asked.study);
   const std::vector<std::string> parameters = read_study(asked.study).parameters;
   const std::vector<std::string> printed = values_of(set, parameters);
-  TriedFits tried;
+  TriedFits tried{.is_stated = set.is_stated_fit};
   // Returns how far the worst constant is off; empty if there is no such fit.
   const auto attempt = [&](const StudyObjective& objective) -> std::optional<long> {
     checkpoint();
@@ -260,8 +260,9 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
   const bool is_asked = tried.has_asked && off.front() <= 1;
   const auto chance_of = [&](std::size_t i) {
     const TriedFit& fit = tried.fits[i];
+    if (is_asked && tried.is_stated) return 0.0;
     if (!is_asked) return expected_chance_hits(tried.fits, printed, fit.held);
-    return fit.has_no_error ? 0 : chance_of_one(tried.fits, printed, fit.held, off[i]);
+    return fit.has_no_error ? 0.0 : chance_of_one(tried.fits, printed, fit.held, off[i]);
   };
   const auto judgement = [&](Verdict verdict, std::size_t i) {
     StudyJudgement found{verdict, tried.fits[i].words, tried.fits[i].values, tried.attempts, chance_of(i), {},

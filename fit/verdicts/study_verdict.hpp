@@ -48,6 +48,7 @@ struct TriedFits {
   std::vector<TriedFit> fits = {};  ///< those that converged
   bool has_asked = false;           ///< whether the first of them is the fit that was asked for
   std::size_t attempts = 0;
+  bool is_stated = false;  ///< the source names the fit that was asked for: its digits are no chance
 };
 
 /// The fits that may have a set's digits. First under the asked objective. If that has the digits, under the

@@ -20,10 +20,6 @@ std::vector<File> plot_files(const std::vector<Figure>& figures);
 /// beats one of them, over the domain. On a surface the errors are those of the reflectance F.
 Figure better_figure(const Comparison& comparison);
 
-/// The figure of a fit: the target and the form above, the error below, with the level of a minimax fit and
-/// the places where the error touches it. Throws UserError if the first fit did not converge.
-Figure fit_figure(const Refit& refit);
-
 /// Of Fresnel's term, `fresnel` and `fresnel-errors`, for the section of that family: the published forms,
 /// Schlick's formula and the exact dielectric.
 std::vector<Figure> fresnel_figures(std::string_view family);

@@ -6,13 +6,17 @@
 #include <vector>
 
 namespace shadefit {
+namespace {
 
+/// 1 or -1 if the error is at the level on that side; 0 for the point of a constraint.
 int sign_of_error(const AlternationPoint& point, const Constraints& constraints) {
   if (point.is_tangent) return 0;
   if (point.touch == Touch::highest) return constraints.one_sided == Side::below ? 0 : 1;
   if (point.touch == Touch::lowest) return constraints.one_sided == Side::above ? 0 : -1;
   return 0;
 }
+
+}  // namespace
 
 std::string what_holds(const AlternationPoint& point, const Constraints& constraints) {
   if (sign_of_error(point, constraints) != 0) return "level";
@@ -56,16 +60,6 @@ std::string touching_lines(const std::vector<AlternationPoint>& alternation, con
                            what_holds(point, constraints), variable, point.at.cos_theta);
   }
   return lines;
-}
-
-std::string alternation_text(const Fit& fit) {
-  if (!fit.level || fit.status != Status::converged) return "";
-  if (fit.alternation.empty()) return "Level 0: the form is its target on all of the domain\n";
-  const Constraints& constraints = fit.metric.constraints;
-  const std::string exponent = fit.exponent ? fmt::format("k = {}: ", *fit.exponent) : "";
-  return fmt::format("{}Level {:.10g}, the error is {}\n{}", exponent, *fit.level,
-                     level_places(fit.alternation, constraints, "c"),
-                     touching_lines(fit.alternation, constraints, "c"));
 }
 
 }  // namespace shadefit

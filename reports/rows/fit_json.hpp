@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "fit/verdicts/refit.hpp"
 #include "reports/io/escape.hpp"
 
 /// Fits as JSON. Every number is the shortest decimal that reads back.
@@ -50,10 +49,5 @@ nlohmann::ordered_json json_array(const Range& range, const Of& of) {
 inline std::string json_text_of_each(const nlohmann::ordered_json& array) {
   return json_text(array.size() == 1 ? array.front() : array);
 }
-
-/// One fit. `published` maps parameters to the first number published for each, or is null; `verdict` is the
-/// worst verdict on them; `assessments` lists every published number. If the fit did not converge, the
-/// numbers are null.
-nlohmann::ordered_json write_fit_json(const Family& family, const FitReport& report);
 
 }  // namespace shadefit

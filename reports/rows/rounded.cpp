@@ -120,10 +120,14 @@ std::string roundings_text(const std::vector<RoundedSets>& all, const Terminal& 
   return text;
 }
 
-Json rounding_json(const RoundedSets& of) {
-  if (!of.rounded) return nullptr;
+void add_rounding(Json& fit, const std::string& key, const RoundedSets& of) {
+  Json& json = fit[key];
+  if (!of.rounded) {
+    fit[key + "_reason"] = of.reason;
+    return;
+  }
   const RoundedStudy& rounded = *of.rounded;
-  Json json{{"format", to_text(rounded.format)}};
+  json = {{"format", to_text(rounded.format)}};
   json.update(set_json(of, rounded.best));
   json["naive"] = set_json(of, rounded.naive);
   json["published"] = rounded.published ? set_json(of, *rounded.published) : Json();
@@ -132,7 +136,6 @@ Json rounding_json(const RoundedSets& of) {
   json["tried"] = rounded.evaluated;
   json["error_is"] = meaning_of_error(rounded);
   json["gpu_model"] = rounded.best.gpu_bound ? Json(gpu_assumption) : Json();
-  return json;
 }
 
 }  // namespace shadefit

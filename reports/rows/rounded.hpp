@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/better/fit_extras.hpp"
+#include "fit/rounding/rounded_set.hpp"
 #include "reports/io/writers.hpp"
 
 /// Rounded constants, as rows and as JSON.
@@ -17,7 +17,7 @@ Cell at_most(double bound, int digits = 6);
 /// Holds the rounded constants of a fit, or the reason why it has none, and the names of what it fits.
 struct RoundedSets {
   std::optional<RoundedStudy> rounded = {};
-  std::string reason = {};  ///< empty: nobody asked for them
+  std::string reason = {};  ///< empty: it has them, or nobody asked
   std::string error = {};   ///< "max abs error"
   std::vector<std::string> parameters = {}, variables = {};
   std::vector<std::pair<std::string, Cell>> given = {};  ///< the given constants with their values
@@ -27,8 +27,7 @@ struct RoundedSets {
 /// that has them; the meaning of their errors, and the constants among which the best were searched.
 std::string roundings_text(const std::vector<RoundedSets>& all, const Terminal& terminal);
 
-/// Writes one of them as an object, for the `rounded` or `evaluated` of a fit's JSON. Writes null if it has
-/// none.
-nlohmann::ordered_json rounding_json(const RoundedSets& of);
+/// Adds one of them to the JSON of a fit, as `rounded` or `evaluated`: an object, or null and the reason.
+void add_rounding(nlohmann::ordered_json& json, const std::string& key, const RoundedSets& of);
 
 }  // namespace shadefit

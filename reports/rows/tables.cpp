@@ -131,35 +131,6 @@ std::string verdict_text(const Judgement& judgement) {
                                                        : std::string(verdict);
 }
 
-Table fits_overview(const Refit& refit) {
-  Table table{{}};
-  if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
-  for (const std::string& parameter : refit.family->parameters) table.columns.emplace_back(parameter);
-  for (const char* column :
-       {"status", "digits", "rms error", "max abs error", "at c", "published", "verdict"}) {
-    table.columns.emplace_back(column);
-  }
-  for (const FitReport& report : refit.fits) {
-    const Fit& fit = report.fit;
-    const bool is_answer = fit.status == Status::converged;
-    std::vector<Cell>& row = table.rows.emplace_back();
-    if (fit.exponent) row.push_back(Number{*fit.exponent, all_digits});
-    for (const double p : fit.parameters) row.push_back(is_answer ? Cell(Number{p, all_digits}) : Cell());
-    std::vector<std::string> printed, verdicts;
-    for (const Assessment& a : report.assessments) {
-      printed.emplace_back(a.published->printed);
-      verdicts.emplace_back(verdict_text(a.judgement));
-    }
-    row.insert(row.end(),
-               {std::string(name(fit.status)), is_answer ? Cell(static_cast<long>(fit.digits)) : Cell(),
-                is_answer ? Cell(Number{fit.rms_error, 4}) : Cell(),
-                is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
-                is_answer ? place(fit.max_abs_error.at) : Cell(), fmt::format("{}", fmt::join(printed, ", ")),
-                fmt::format("{}", fmt::join(verdicts, ", "))});
-  }
-  return table;
-}
-
 Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
   Table table{{"constant", "exponent", "closed_form", "integral", "relative_difference", "estimated_error",
                "verdict"}};

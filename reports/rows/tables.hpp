@@ -25,9 +25,6 @@ struct FitsTable {
 /// verdict.
 FitsTable fits_table(const std::vector<Refit>& refits);
 
-/// One row per fit, parameters to their last bit: the overview for the console.
-Table fits_overview(const Refit& refit);
-
 /// One row per constant and exponent: normalization.csv.
 Table normalisation_table(const std::vector<NormalisationCheck>& checks);
 

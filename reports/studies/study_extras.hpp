@@ -1,11 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "fit/verdicts/study_sensitivity.hpp"
+#include "fit/verdicts/sensitivity.hpp"
 #include "reports/rows/rounded.hpp"
 #include "reports/studies/study_rows.hpp"
 
@@ -13,14 +13,16 @@
 /// of constants that matter.
 namespace shadefit {
 
-/// The rounded constants of a fit for their table and their JSON.
-RoundedSets rounded_sets(const FittedStudy& study, const std::optional<RoundedStudy>& rounded);
+/// The constants of a fit as `round` rounds them, for their table and their JSON. A fit that did not converge
+/// has none; of several fits, one that cannot be rounded has none either, and says why.
+RoundedSets rounded_sets(const FittedStudy& study, bool is_one_of_several,
+                         const std::function<RoundedStudy()>& round);
 
 /// For a terminal: digits and intervals of each constant, all constants together, other objectives.
-std::string study_sensitivity_text(const FittedStudy& study, const StudySensitivity& sensitivity,
-                                   const Terminal& terminal);
+std::string sensitivity_text(const FittedStudy& study, const Sensitivity& sensitivity,
+                             const Terminal& terminal);
 
 /// The same as an object, for the `sensitivity` of a fit's JSON.
-nlohmann::ordered_json study_sensitivity_json(const FittedStudy& study, const StudySensitivity& sensitivity);
+nlohmann::ordered_json sensitivity_json(const FittedStudy& study, const Sensitivity& sensitivity);
 
 }  // namespace shadefit

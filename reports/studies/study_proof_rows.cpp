@@ -54,7 +54,7 @@ std::string ends_text(const StudyCertificate& certificate) {
   std::string text;
   const auto line = [&](const std::string& variable, const char* verb, const std::string& formula,
                         double end) {
-    if (!is_exactly(formula, end))
+    if (!is_exactly(certificate.subject.study, formula, end))
       text += fmt::format("{} {} at {} = {}, the double nearest to {}.\n", variable, verb, end, hex_text(end),
                           formula);
   };

@@ -27,10 +27,17 @@ std::string status_of(const FittedStudy& study) {
   return is_answer(study) && study.fit.names.empty() ? "given" : std::string(name(study.fit.status));
 }
 
+/// Whether a weight says which error counts.
+bool is_weighted(const FittedStudy& study) {
+  return !study.asked().rows && study.asked().weight != "1";
+}
+
 /// The last columns: the largest error and its place; of measured rows its row, and how large the noise is.
 std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
   if (!studies.front().asked().rows) {
-    std::vector<std::string> columns{"max abs error"};
+    std::vector<std::string> columns;
+    if (is_weighted(studies.front())) columns.emplace_back("max weighted error");
+    columns.emplace_back("max abs error");
     for (const StudyAxis& axis : studies.front().read.axes) columns.push_back("at " + axis.variable);
     return columns;
   }
@@ -42,7 +49,9 @@ std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
 
 std::vector<Cell> last_cells(const FittedStudy& study) {
   const StudyExtremum& largest = study.fit.max_abs_error;
-  std::vector<Cell> cells{Number{largest.magnitude, 4}};
+  std::vector<Cell> cells;
+  if (is_weighted(study)) cells.emplace_back(Number{study.fit.max_weighted_error.value(), 4});
+  cells.emplace_back(Number{largest.magnitude, 4});
   if (!study.asked().rows) {
     for (const double place : largest.at) cells.emplace_back(Number{place, 6});
     return cells;
@@ -347,28 +356,31 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
     const auto& rows = study.asked().rows;
     Json bounds = Json::object();
     for (const Held& at : study.fit.at_bounds) bounds[at.parameter] = at.value;
-    array.push_back({{"target", rows ? Json() : Json(study.asked().target)},
-                     {"form", study.asked().form},
-                     {"over", over},
-                     {"given", json_object(study.asked().given)},
-                     {"norm", study.fit.level ? "minimax" : "least-squares"},
-                     {"error", name(study.asked().error)},
-                     {"weight", study.asked().weight},
-                     {"status", status_of(study)},
-                     {"why", study.fit.why.empty() ? Json() : Json(study.fit.why)},
-                     {"starts", study.fit.starts},
-                     {"global", study.fit.is_global},
-                     {"unique", has_answer ? Json(study.fit.is_unique) : Json()},
-                     {"parameters", has_answer ? json_object(study.fit.names, study.fit.parameters) : Json()},
-                     {"at_bounds", has_answer ? bounds : Json()},
-                     {"digits", has_answer ? Json(study.fit.digits) : Json()},
-                     {"rms_error", has_answer ? Json(study.fit.rms_error) : Json()},
-                     {"max_abs_error", has_answer ? Json(study.fit.max_abs_error.magnitude) : Json()},
-                     {"at", has_answer ? place_json(study, study.fit.max_abs_error.at) : Json()},
-                     {"sampled", study.fit.is_sampled},
-                     {"level", has_answer ? optional_json(study.fit.level) : Json()},
-                     {"alternation", alternation_json(study)},
-                     {"published", published_json(study)}});
+    array.push_back(
+        {{"schema", fit_json_schema},
+         {"target", rows ? Json() : Json(study.asked().target)},
+         {"form", study.asked().form},
+         {"over", over},
+         {"given", json_object(study.asked().given)},
+         {"norm", study.fit.level ? "minimax" : "least-squares"},
+         {"error", name(study.asked().error)},
+         {"weight", study.asked().weight},
+         {"status", status_of(study)},
+         {"why", study.fit.why.empty() ? Json() : Json(study.fit.why)},
+         {"starts", study.fit.starts},
+         {"global", study.fit.is_global},
+         {"unique", has_answer ? Json(study.fit.is_unique) : Json()},
+         {"parameters", has_answer ? json_object(study.fit.names, study.fit.parameters) : Json()},
+         {"at_bounds", has_answer ? bounds : Json()},
+         {"digits", has_answer ? Json(study.fit.digits) : Json()},
+         {"rms_error", has_answer ? Json(study.fit.rms_error) : Json()},
+         {"max_weighted_error", has_answer ? optional_json(study.fit.max_weighted_error) : Json()},
+         {"max_abs_error", has_answer ? Json(study.fit.max_abs_error.magnitude) : Json()},
+         {"at", has_answer ? place_json(study, study.fit.max_abs_error.at) : Json()},
+         {"sampled", study.fit.is_sampled},
+         {"level", has_answer ? optional_json(study.fit.level) : Json()},
+         {"alternation", alternation_json(study)},
+         {"published", published_json(study)}});
     if (rows) add_row_fields(array.back(), study);
   }
   return array;

@@ -101,7 +101,7 @@ TEST(BetterCommand, BadInput) {
   expect_refusal({"better", "fresnel-quadratic", "--extinction", "2"},
                  "--extinction '2' does not apply: it belongs to --ior");
   expect_refusal({"better", "fresnel-quadratic", "--exponent", "5"},
-                 "--exponent '5' does not apply: fresnel-quadratic has no exponent");
+                 "--exponent k: no formula of the study has this name");
   expect_refusal({"better", "sg-offset", "--exponent", "0"},
                  "--exponent '0' is not greater than 0: give K or A:B:STEP, separated by commas");
   EXPECT_EQ(run_command_line({"better", "fresnel-quadratic", "--domain", "1:0"}).exit_code, 2);
@@ -135,7 +135,7 @@ TEST(SensitivityOption, Console) {
   for (const char* line :
        {"\nHow far the constants may move until the rms error, 0.002238, is worse by 1 % or 0.1 %:\n",
         "\nAll constants within 1 %: 3 digits, a = -5.55, b = -6.98: worse by 0.1 %\n",
-        "\ncosine on 0.1:0.9 "}) {
+        "\nleast squares, c in 0.1:0.9 "}) {
     expect_has(outcome.out, line);
   }
 }
@@ -159,10 +159,10 @@ TEST(SensitivityOption, BadInput) {
     EXPECT_EQ(run_command_line({"fit", "fresnel-quadratic", "--sensitivity", format}).exit_code, 2) << format;
   expect_refusal(
       {"fit", "fresnel-quadratic", "--norm", "minimax", "--at-most", "1", "--sensitivity"},
-      "--at-most '1' does not go with --sensitivity: constants that are rounded do not keep to it");
+      "--sensitivity does not go with a constraint: rounded constants do not meet it");
   expect_refusal(
       {"fit", "fresnel-quadratic", "--norm", "minimax", "--exact-at", "0", "--sensitivity"},
-      "--exact-at '0' does not go with --sensitivity: constants that are rounded do not keep to it");
+      "--sensitivity does not go with a constraint: rounded constants do not meet it");
 }
 
 // One meaning of the best set: in the first sentence, in JSON, in the gallery and in the emitted code.

@@ -113,8 +113,6 @@ TEST(Doors, SlipsAreAnsweredInOneLine) {
       {{"fit", "acos-linear", "linear", "--form", "linear"},
        "'linear' does not go with --form: both name a form"},
       {{"fit", "fresnel-quadratic", "quadratic"}, "'fresnel-quadratic' has one form: leave 'quadratic' out"},
-      {{"fit", "acos-linear", "--range", "0:0.5"},
-       "--domain does not go with a study: give the range by --over, for example x=0:1"},
       {{"fit", "acos-linear", "--value", "y"}, "--value 'y' belongs to --table: it names its column"},
       {{"fit", "fresnel-quadratic", "--value", "y"},
        "--value belongs to --form, a formula of your own, or to a study"},

@@ -133,7 +133,7 @@ TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
 
 TEST_F(Interrupt, ALongFitAndACheckEndToo) {
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"fit", "sg-offset", "--exponent", "1:100000:1"},
+       {std::vector<std::string>{"fit", "sg-offset", "--exponent", "1:5000:1"},
         {"check", "--baseline", SHADEFIT_SOURCE_DIR "/reports/baseline"}}) {
     const Outcome outcome = run_command_line(arguments, raising(SIGINT, 5));
     EXPECT_EQ(outcome.exit_code, 130) << arguments.front();

@@ -70,8 +70,6 @@ TEST(PlotOption, RefusesWhatItCannotDraw) {
   fake_gnuplot(directory, "echo 'bad luck' >&2; exit 1");
   expect_refusal({"better", "fresnel-one-term", "--plot", "a.svg"},
                  "--plot 'a.svg' draws one target, and these are 3: name one with --target");
-  expect_refusal({"fit", "sg-offset", "--exponent", "3:5:1", "--plot", "a.svg"},
-                 "--plot 'a.svg' draws one fit, and these are 3: name one with --exponent");
   const std::string file = directory / "a.svg";
   expect_refusal({"fit", "fresnel-one-term", "--plot", file},
                  "--plot '" + file + "' was not drawn: bad luck");

@@ -6,7 +6,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/normalisation.hpp"
 #include "bench/peers/tasks/shadefit_tasks.hpp"
-#include "fit/bounds/family_subject.hpp"
+#include "fit/bounds/study_certificate.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/claims/normalisation_check.hpp"
 #include "fit/squares/prepared_study.hpp"
@@ -23,6 +23,9 @@ Answer minimax(Error error) {
   return {{"a", fit.parameters[0]}, {"b", fit.parameters[1]}};
 }
 
+const shadefit::Study pair_in_words{
+    .target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
+
 /// The records of the published pair.
 const shadefit::Published& published_a = *shadefit::find_published("fresnel-quadratic-a");
 const shadefit::Published& published_b = *shadefit::find_published("fresnel-quadratic-b");
@@ -35,10 +38,9 @@ Answer search() {
 }
 
 Answer prove(double width) {
-  const shadefit::FamilySubject pair{
-      .family = "fresnel-quadratic",
-      .parameters = {{"a", std::string(published_a.printed)}, {"b", std::string(published_b.printed)}}};
-  const auto certificate = shadefit::certify_study(in_words(pair), width).certificate;
+  const shadefit::StudySubject pair{
+      pair_in_words, {{"a", std::string(published_a.printed)}, {"b", std::string(published_b.printed)}}};
+  const auto certificate = shadefit::certify_study(pair, width).certificate;
   return {{"level", certificate.lower}, {"level", certificate.upper}};
 }
 
@@ -51,9 +53,6 @@ Answer constants() {
   }
   return answer;
 }
-
-const shadefit::Study pair_in_words{
-    .target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
 
 /// The pair from a given start, in a study that is read once.
 Task prepared() {

@@ -374,11 +374,13 @@ TEST(StudyBoxes, CoverTheirRanges) {
 }
 
 TEST(StudyProof, KnowsWhichEndsAreDoubles) {
-  EXPECT_TRUE(is_exactly("1/2", 0.5));
-  EXPECT_TRUE(is_exactly("-3", -3));
-  EXPECT_FALSE(is_exactly("pi/2", pi / 2));
-  EXPECT_FALSE(is_exactly("0.1", 0.1));
-  EXPECT_FALSE(is_exactly("1/2", 0.25));
+  EXPECT_TRUE(is_exactly({}, "1/2", 0.5));
+  EXPECT_TRUE(is_exactly({}, "-3", -3));
+  EXPECT_FALSE(is_exactly({}, "pi/2", pi / 2));
+  EXPECT_FALSE(is_exactly({}, "0.1", 0.1));
+  EXPECT_FALSE(is_exactly({}, "1/2", 0.25));
+  const Study given{.target = "x", .form = "a x", .over = {}, .given = {{"k", "4"}}};
+  EXPECT_TRUE(is_exactly(given, "1/k", 0.25));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/every_number.hpp"
-#include "fit/rounding/round_family.hpp"
 #include "fit/rounding/study_lattice.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"

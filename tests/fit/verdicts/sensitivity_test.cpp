@@ -4,24 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/fit_study.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
 const Metric minimax{.norm = Norm::minimax};
 
-Fit fitted(std::string_view id, const Metric& metric = {}, double exponent = 0) {
-  const Fit fit = find_family(id)->fit(exponent, metric);
-  EXPECT_EQ(fit.status, Status::converged) << id << " " << fit.why;
-  return fit;
+/// A form of the catalogue, and its fit.
+struct Fitted {
+  std::string what;
+  StudyObjective asked;
+  StudyFit fit;
+  std::function<double(const std::vector<double>&)> objective;
+};
+
+Fitted fitted(std::string_view id, const Metric& metric = {}, double exponent = 0) {
+  const Family& family = *find_family(id);
+  Fitted of{.what = std::string(id) + ", " + describe(metric), .asked = {}, .fit = {}, .objective = {}};
+  of.asked = {.words = of.what,
+              .study = study_of(family, exponent, metric,
+                                ends_of(family, exponent, metric.domain, metric.error).value()),
+              .norm = metric.norm};
+  of.fit = fit_study(of.asked);
+  const double scale = metric.norm == Norm::minimax ? 1 : scale_of_weight(of.asked.study, metric.weight);
+  of.objective = [scale, objective = objective_of(of.asked.study, metric)](const std::vector<double>& at) {
+    return scale * objective(at);
+  };
+  EXPECT_EQ(of.fit.status, Status::converged) << id << " " << of.fit.why;
+  return of;
+}
+
+Sensitivity sensitivity_of(const Fitted& of) {
+  return sensitivity_of(of.asked, of.fit);
 }
 
 /// The fits that the invariants are checked on: one to four parameters, both norms, a weight, a lobe.
-std::vector<Fit> samples() {
+std::vector<Fitted> samples() {
   Metric weighted;
   weighted.weight = "1 + 4 c";
   Metric relative = minimax;
@@ -38,40 +64,34 @@ std::vector<Fit> samples() {
           fitted("sg-scaled", {}, 37.5)};
 }
 
-double objective_of(const Fit& fit, const std::vector<double>& parameters) {
-  return fit.family->objective(setting_of(fit), fit.metric)(parameters);
-}
-
-std::string what(const Fit& fit, std::string_view parameter) {
-  return std::string(fit.family->id) + " " + std::string(parameter) + ", " + describe(fit.metric);
-}
-
 /// The least objective with one parameter given, by a refit of the public kind.
-double refitted(const Fit& fit, std::size_t i, double value) {
-  const Family& family = *fit.family;
-  if (family.parameters.size() == 1) return objective_of(fit, {value});
-  Metric metric = fit.metric;
-  metric.constraints.held = {{std::string(family.parameters[i]), value}};
-  const Fit held = family.fit(setting_of(fit), metric);
+double refitted(const Fitted& of, std::size_t i, double value) {
+  if (of.fit.names.size() == 1) return of.objective({value});
+  StudyObjective asked = of.asked;
+  asked.study.held = {{of.fit.names[i], value}};
+  const StudyFit held = fit_study(asked);
   EXPECT_EQ(held.status, Status::converged) << held.why;
-  return metric.norm == Norm::minimax ? *held.level : held.rms_error;
+  return held.level ? *held.level : held.rms_error;
 }
 
 // An end is found to 30 bits of its step, so the objective there is the limit to about 1e-10 of itself.
 TEST(Sensitivity, AtTheEndsOfAProfileTheObjectiveIsWorseByOnePercent) {
-  for (const Fit& fit : samples()) {
-    const Sensitivity found = sensitivity_of(fit);
-    EXPECT_NEAR(found.objective / objective_of(fit, fit.parameters), 1, 1e-14);
+  for (const Fitted& of : samples()) {
+    const StudyFit& fit = of.fit;
+    const Sensitivity found = sensitivity_of(of);
+    EXPECT_NEAR(found.objective / of.objective(fit.parameters), 1, 1e-13);
     EXPECT_EQ(found.parameters.size(), fit.parameters.size());
     for (std::size_t i = 0; i < found.parameters.size(); ++i) {
       const ParameterSensitivity& p = found.parameters[i];
-      ASSERT_TRUE(p.lower && p.upper) << what(fit, p.parameter);
+      ASSERT_TRUE(p.lower && p.upper) << of.what << " " << p.parameter;
       EXPECT_LT(*p.lower, p.value);
       EXPECT_GT(*p.upper, p.value);
-      EXPECT_NEAR(refitted(fit, i, *p.lower) / found.objective, 1.01, 1e-8) << what(fit, p.parameter);
-      EXPECT_NEAR(refitted(fit, i, *p.upper) / found.objective, 1.01, 1e-8) << what(fit, p.parameter);
-      EXPECT_LT(refitted(fit, i, (*p.lower + p.value) / 2) / found.objective, 1.01) << what(fit, p.parameter);
-      EXPECT_LT(refitted(fit, i, (*p.upper + p.value) / 2) / found.objective, 1.01) << what(fit, p.parameter);
+      EXPECT_NEAR(refitted(of, i, *p.lower) / found.objective, 1.01, 1e-8) << of.what << " " << p.parameter;
+      EXPECT_NEAR(refitted(of, i, *p.upper) / found.objective, 1.01, 1e-8) << of.what << " " << p.parameter;
+      EXPECT_LT(refitted(of, i, (*p.lower + p.value) / 2) / found.objective, 1.01)
+          << of.what << " " << p.parameter;
+      EXPECT_LT(refitted(of, i, (*p.upper + p.value) / 2) / found.objective, 1.01)
+          << of.what << " " << p.parameter;
     }
   }
 }
@@ -96,8 +116,9 @@ std::vector<double> both_neighbours(double value, int digits) {
 }
 
 TEST(Sensitivity, PrintedDecimalsKeepTheLimitAndOneDigitFewerDoesNot) {
-  for (const Fit& fit : samples()) {
-    const Sensitivity found = sensitivity_of(fit);
+  for (const Fitted& of : samples()) {
+    const StudyFit& fit = of.fit;
+    const Sensitivity found = sensitivity_of(of);
     for (std::size_t i = 0; i < found.parameters.size(); ++i) {
       const ParameterSensitivity& p = found.parameters[i];
       for (const auto& [text, part] :
@@ -106,21 +127,23 @@ TEST(Sensitivity, PrintedDecimalsKeepTheLimitAndOneDigitFewerDoesNot) {
         const auto with = [&](double value) {
           auto parameters = fit.parameters;
           parameters[i] = value;
-          return objective_of(fit, parameters);
+          return of.objective(parameters);
         };
-        EXPECT_LE(with(*parse_number(text)), limit) << what(fit, p.parameter) << " " << text;
+        EXPECT_LE(with(*parse_number(text)), limit) << of.what << " " << p.parameter << " " << text;
         const int digits = digits_of(text);
         if (digits == 1) continue;
         for (const double shorter : both_neighbours(p.value, digits - 1))
-          EXPECT_GT(with(shorter), limit) << what(fit, p.parameter) << " " << text << " or " << shorter;
+          EXPECT_GT(with(shorter), limit)
+              << of.what << " " << p.parameter << " " << text << " or " << shorter;
       }
     }
   }
 }
 
 TEST(Sensitivity, AllConstantsTogether) {
-  for (const Fit& fit : samples()) {
-    const Sensitivity found = sensitivity_of(fit);
+  for (const Fitted& of : samples()) {
+    const StudyFit& fit = of.fit;
+    const Sensitivity found = sensitivity_of(of);
     for (const auto& [common, part] :
          {std::pair(found.noticeable_digits, noticeable), std::pair(found.slight_digits, slight)}) {
       ASSERT_TRUE(common);
@@ -130,9 +153,9 @@ TEST(Sensitivity, AllConstantsTogether) {
         EXPECT_EQ(parameters[i], *parse_number(decimal(fit.parameters[i], common->digits)));
         shorter.push_back(*parse_number(decimal(fit.parameters[i], std::max(1, common->digits - 1))));
       }
-      EXPECT_EQ(common->objective, objective_of(fit, parameters));
+      EXPECT_NEAR(common->objective / of.objective(parameters), 1, 1e-13);
       EXPECT_LE(common->objective, found.objective * (1 + part));
-      EXPECT_TRUE(common->digits == 1 || objective_of(fit, shorter) > found.objective * (1 + part));
+      EXPECT_TRUE(common->digits == 1 || of.objective(shorter) > found.objective * (1 + part));
     }
   }
 }
@@ -141,9 +164,9 @@ TEST(Sensitivity, AllConstantsTogether) {
 // (1-c)^8, (1-c)^9 and (1-c)^10. The optimum is s = 9/10, I there 1/1100, and it is 1.01^2 of that at
 // s = 9/10 +- 3 sqrt((1.01^2 - 1)/1100).
 TEST(Sensitivity, AgreesWithTheClosedFormOfALinearFamily) {
-  const Fit fit = fitted("fresnel-fourth");
-  EXPECT_NEAR(fit.parameters[0], 0.9, 1e-14);
-  const Sensitivity found = sensitivity_of(fit);
+  const Fitted of = fitted("fresnel-fourth");
+  EXPECT_NEAR(of.fit.parameters[0], 0.9, 1e-14);
+  const Sensitivity found = sensitivity_of(of);
   EXPECT_NEAR(found.objective, std::sqrt(1.0 / 1100), 1e-15);
   const double reach = 3 * std::sqrt((1.01 * 1.01 - 1) / 1100);
   EXPECT_NEAR(*found.parameters[0].lower, 0.9 - reach, 1e-9);
@@ -153,10 +176,10 @@ TEST(Sensitivity, AgreesWithTheClosedFormOfALinearFamily) {
 
 // exp2(-A c) by brute force over decimals in steps of the last digit.
 TEST(Sensitivity, AgreesWithBruteForceOnOneParameter) {
-  const Fit fit = fitted("fresnel-one-term", minimax);
-  const Sensitivity found = sensitivity_of(fit);
+  const Fitted of = fitted("fresnel-one-term", minimax);
+  const Sensitivity found = sensitivity_of(of);
   const auto is_within = [&](double a, double part) {
-    return objective_of(fit, {a}) <= found.objective * (1 + part);
+    return of.objective({a}) <= found.objective * (1 + part);
   };
   for (int a = 1; a <= 12; ++a) EXPECT_FALSE(is_within(a, noticeable)) << a;
   int tenths = 0, hundredths = 0;
@@ -170,38 +193,63 @@ TEST(Sensitivity, AgreesWithBruteForceOnOneParameter) {
 TEST(Sensitivity, WhatIsGivenStays) {
   Metric metric;
   metric.constraints.held = {{"b", -6.98765}};
-  const Fit fit = fitted("fresnel-quadratic", metric);
-  const Sensitivity found = sensitivity_of(fit);
+  const Fitted of = fitted("fresnel-quadratic", metric);
+  const Sensitivity found = sensitivity_of(of);
   ASSERT_EQ(found.parameters.size(), 1U);
   EXPECT_EQ(found.parameters[0].parameter, "a");
-  EXPECT_EQ(found.noticeable_digits->parameters[1], "-6.98765");
-  EXPECT_NEAR(objective_of(fit, {*found.parameters[0].upper, -6.98765}) / found.objective, 1.01, 1e-8);
+  EXPECT_EQ(found.noticeable_digits->parameters.size(), 1U);
+  EXPECT_NEAR(of.objective({*found.parameters[0].upper}) / found.objective, 1.01, 1e-8);
 }
 
-// With A given above its optimum the largest error is A - 1, at c = 1, whatever the offset is: no refit can
-// say which offset is best, and the interval has no such end.
-TEST(Sensitivity, AnEndWhereARefitFailsIsEmpty) {
-  const Fit fit = fitted("sg-scaled", minimax, 37.5);
-  Metric held = minimax;
-  held.constraints.held = {{"A", fit.parameters[0] * 1.0001}};
-  EXPECT_NE(find_family("sg-scaled")->fit(37.5, held).status, Status::converged);
-  EXPECT_FALSE(sensitivity_of(fit).parameters[0].upper);
+// With A given above its optimum the largest error is A - 1, at c = 1, whatever the offset is: the profile is
+// A - 1, and it reaches 1.01 of the level there.
+TEST(Sensitivity, HasAnEndWhereAGivenPeakMakesTheError) {
+  const Fitted of = fitted("sg-scaled", minimax, 37.5);
+  const Sensitivity found = sensitivity_of(of);
+  EXPECT_NEAR(found.parameters[0].upper.value(), 1 + 1.01 * of.fit.level.value(), 1e-9);
 }
 
-TEST(Sensitivity, OtherContractsAreFitsOfTheirOwn) {
-  const Fit fit = fitted("fresnel-quadratic");
-  const Sensitivity found = sensitivity_of(fit);
-  ASSERT_EQ(found.contracts.size(), 6U) << "three measures, three domains";
-  EXPECT_EQ(found.contracts.front().metric, fit.metric);
-  EXPECT_EQ(found.contracts.front().fit.parameters, fit.parameters);
-  for (std::size_t i = 1; i < found.contracts.size(); ++i) {
-    const auto& [metric, other] = found.contracts[i];
-    EXPECT_NE(metric, fit.metric);
-    EXPECT_EQ(other.parameters, find_family("fresnel-quadratic")->fit({}, metric).parameters);
+// |a| is the error at 0, so the held a alone makes the largest error: b is free there.
+TEST(Sensitivity, HasAnEndWhereAHeldConstantMakesTheError) {
+  const Study line{.target = "x^2", .form = "a + b x", .over = {{"x", "0", "1"}}};
+  const StudyObjective asked = objective_of(line, Norm::minimax, {});
+  const Sensitivity found = sensitivity_of(asked, fit_study(asked));
+  EXPECT_NEAR(found.objective, 0.125, 1e-12);
+  EXPECT_NEAR(found.parameters[0].lower.value(), -0.125 * 1.01, 1e-9);
+  EXPECT_GT(found.parameters[0].upper.value(), -0.125);
+}
+
+TEST(Sensitivity, OtherFitsHaveOtherDensitiesAndRanges) {
+  const Fitted of = fitted("fresnel-quadratic");
+  const Sensitivity found = sensitivity_of(of);
+  ASSERT_EQ(found.others.size(), 6U) << "three measures, three ranges";
+  EXPECT_EQ(found.others.front().fit.parameters, of.fit.parameters);
+  const std::vector<Metric> metrics{{.measure = Measure::angle},
+                                    {.measure = Measure::cosine_weighted},
+                                    {.domain = {0.1, 1}},
+                                    {.domain = {0, 0.9}},
+                                    {.domain = {0.1, 0.9}}};
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    const Fit expected = find_family("fresnel-quadratic")->fit({}, metrics[i]);
+    EXPECT_NEAR(found.others[i + 1].fit.parameters[0] / expected.parameters[0], 1, 1e-12)
+        << found.others[i + 1].under;
   }
-  EXPECT_EQ(found.contracts.back().metric.domain, (Domain{0.1, 0.9}));
-  EXPECT_EQ(sensitivity_of(fitted("fresnel-quadratic", minimax)).contracts.size(), 4U)
+  EXPECT_EQ(sensitivity_of(fitted("fresnel-quadratic", minimax)).others.size(), 4U)
       << "minimax has no measure";
+}
+
+TEST(Sensitivity, RefusesConstraints) {
+  const Study study{.target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
+  const StudyObjective asked = objective_of(study, Norm::minimax, {.exact_at = {0}});
+  EXPECT_THROW(sensitivity_of(asked, fit_study(asked)), UserError);
+}
+
+TEST(Sensitivity, HasNoOtherFitsInTwoVariables) {
+  const Study study{.target = "x y", .form = "a + b x", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
+  const StudyObjective asked = objective_of(study, Norm::least_squares, {});
+  const Sensitivity found = sensitivity_of(asked, fit_study(asked));
+  EXPECT_EQ(found.parameters.size(), 2U);
+  EXPECT_TRUE(found.others.empty());
 }
 
 }  // namespace
