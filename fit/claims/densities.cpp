@@ -1,14 +1,9 @@
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "approx/phase.hpp"
-#include "approx/von_mises_fisher.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/quadrature/substitution.hpp"
-#include "fit/scalars/half.hpp"
-#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
@@ -87,76 +82,11 @@ Finding phase_normalisation(const Claim& claim) {
       Told{"robust", robust <= roundings ? "by roundings only" : fmt::format("by {:.2g}", robust)});
 }
 
-/// The integral of the density over the sphere: 2 pi dy over y = 1 - c in [0, 2], in t = k y.
-Integral integral_over_sphere(double concentration) {
-  const auto density = [&](double t) {
-    return 2 * pi<double>() * von_mises_fisher_near_peak(t / concentration, concentration) / concentration;
-  };
-  const double whole = 2 * concentration, end = std::min(whole, Substitution::decay);
-  const Integral integral = by_two_rules(density, 0, end, 1e-14);
-  // The rest is e^(-end) (1 - e^(end - 2k))/(1 - e^(-2k)), where there is one.
-  return {integral.value, integral.error + (end < whole ? std::exp(-end) : 0)};
-}
-
-/// The largest k at which the printed formula is a finite number at its peak, halved down to a double.
-template <class T>
-double last_finite_concentration() {
-  return last_by_halving(1, 2048, 60, [](double k) {
-    return std::isfinite(static_cast<double>(von_mises_fisher(integer<T>(1), static_cast<T>(k))));
-  });
-}
-
-Finding normalisation(const Claim& claim) {
-  const double printed = number_of(claim.printed[0].value);
-  const auto concentrations = parse_sweep(claim.inputs.at("exponents"));
-  double furthest = printed, apart = 0, uncertainty = 0;
-  for (const double k : concentrations) {
-    const Integral integral = integral_over_sphere(k);
-    uncertainty = std::max(uncertainty, integral.error);
-    if (std::abs(integral.value - printed) >= apart) {
-      apart = std::abs(integral.value - printed);
-      furthest = integral.value;
-    }
-  }
-  const bool is_known = uncertainty <= density_tolerance;
-  return told(claim, is_known ? std::optional(verdict_of(apart <= 2 * density_tolerance)) : std::nullopt,
-              "none", Told{"integral", furthest}, Told{"tolerance", density_tolerance},
-              Told{"half_end", last_finite_concentration<Eigen::half>()},
-              Told{"float_end", last_finite_concentration<float>()},
-              Told{"double_end", last_finite_concentration<double>()});
-}
-
-/// The k from which on the relative error of the sharp form is at most `share`: e^(-2k) = share.
-double concentration_of_error(double share) {
-  return -std::log(share) / 2;
-}
-
-Finding sharp_density(const Claim& claim) {
-  const double k = number_of(claim.printed[0].value), about = given(claim, "about");
-  const double law = von_mises_fisher_sharp_error(k);
-  double apart = 0;  // the difference of the two densities' ratio from the law
-  for (const double y : parse_sweep(claim.inputs.at("y"))) {
-    const double ratio = von_mises_fisher_sharp(y, k) / von_mises_fisher(1 - y, k);
-    apart = std::max(apart, std::abs(ratio - 1 - law));
-  }
-  // Two exponentials and a few products, each rounded: about ten epsilons.
-  constexpr double rounding = 1e-14;
-  const double from = concentration_of_error(about);
-  // Of all k of the claim, the error is largest at the printed k.
-  const double least = concentration_of_error(given(claim, "no longer about"));
-  const Verdict verdict = verdict_of(k >= from, k >= least);
-  return told(claim, apart <= rounding ? std::optional(verdict) : std::nullopt,
-              effect_of_factor(1 + law, 1, fmt::format("at k = {:.4g} and any c it", k)), Told{"law", law},
-              Told{"rounding", rounding}, Told{"one_code", concentration_of_error(change_of_one_code())});
-}
-
 }  // namespace
 
 /// Densities over the sphere, which integrate to 1.
 std::vector<Evaluator> density_evaluators() {
-  return {{"vmf-normalisation", normalisation},
-          {"vmf-large-k", sharp_density},
-          {"hg-normalisation", phase_normalisation}};
+  return {{"hg-normalisation", phase_normalisation}};
 }
 
 }  // namespace shadefit

@@ -76,16 +76,6 @@ Finding evaluate_basis(const Claim& claim) {
               Told{"agree", within(std::max(gap, uncertainty), tolerance)}, Told{"norms", enumerated(norms)});
 }
 
-Finding evaluate_memory(const Claim& claim) {
-  double bytes = 1.0 / 8;
-  for (const Quantity& input : claim.inputs) bytes *= number_of(input.value);
-  const std::string_view printed = claim.printed[0].value;
-  const Verdict verdict = units_off(printed, bytes / 1e6) == 0      ? Verdict::confirmed
-                          : units_off(printed, bytes / 0x1p20) == 0 ? Verdict::other_objective
-                                                                    : Verdict::refuted;
-  return told(claim, verdict, "none", Told{"bytes", bytes});
-}
-
 /// The part of the clamped cosine in its first bands.
 struct Kept {
   double energy = 0;          ///< share of the squared norm
@@ -172,8 +162,7 @@ Finding evaluate_loss(const Claim& claim) {
 }  // namespace
 
 std::vector<Evaluator> harmonics_evaluators() {
-  return {
-      {"sh-basis", evaluate_basis}, {"sh-buffer-memory", evaluate_memory}, {"sh-linear-loss", evaluate_loss}};
+  return {{"sh-basis", evaluate_basis}, {"sh-linear-loss", evaluate_loss}};
 }
 
 }  // namespace shadefit

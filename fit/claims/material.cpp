@@ -128,25 +128,6 @@ Finding metallic_workflow(const Claim& claim) {
               Told{"first_colour", census.first_colour});
 }
 
-/// Of a list of maps, each with its number of channels after its name.
-int channels_of(std::string_view maps) {
-  int channels = 0;
-  for (const std::string_view map : items_of(maps))
-    channels += static_cast<int>(number_of(map.substr(map.rfind(' ') + 1)));
-  return channels;
-}
-
-Finding workflow_channels(const Claim& claim) {
-  const int specular = channels_of(claim.inputs.at("specular maps"));
-  const int metallic = channels_of(claim.inputs.at("metallic maps"));
-  // A count is right or wrong: there is nothing to round.
-  const bool is_right =
-      number_of(claim.printed[0].value) == specular && number_of(claim.printed[1].value) == metallic;
-  return told(claim, verdict_of(is_right), "none", Told{"of_specular", specular},
-              Told{"of_metallic", metallic},
-              Told{"more", metallic + channels_of(claim.inputs.at("one more map"))});
-}
-
 }  // namespace
 
 DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo, double f0) {
@@ -189,9 +170,7 @@ Finding diffuse_fresnel(const Claim& claim) {
 }  // namespace
 
 std::vector<Evaluator> material_evaluators() {
-  return {{"metallic-workflow", metallic_workflow},
-          {"workflow-channels", workflow_channels},
-          {"diffuse-fresnel", diffuse_fresnel}};
+  return {{"metallic-workflow", metallic_workflow}, {"diffuse-fresnel", diffuse_fresnel}};
 }
 
 }  // namespace shadefit

@@ -10,10 +10,7 @@
 #include "fit/claims/normalisation_check.hpp"
 #include "fit/claims/reflectance.hpp"
 #include "fit/formula/parse_formula.hpp"
-#include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/scalars/half.hpp"
-#include "fit/scalars/in_50_digits.hpp"
 #include "fit/support/root.hpp"
 
 namespace shadefit {
@@ -233,40 +230,6 @@ Finding microfacet_constant(const Claim& claim) {
                        Told{"unit_first", in_unit.first}, Told{"unit_last", in_unit.last});
 }
 
-/// The effect of a detour in half precision, or "none".
-std::string effect_in_half(const Symbolic& left, const Symbolic& right) {
-  const auto value = [](const Symbolic& formula, Eigen::half colour) {
-    return widened(evaluate<Eigen::half>(formula, [&](const std::string&) { return colour; }));
-  };
-  int moved = 0;
-  Effect effect;
-  for (int i = 1; i <= 255; ++i) {
-    const Eigen::half grey = round_to_half(i / 255.0);
-    const double a = value(left, grey), b = value(right, grey);
-    moved += a != b;
-    effect.show(b, a, {{"grey ", static_cast<double>(i), "/255"}});
-  }
-  return sentence(effect, fmt::format("{} of 255 linear greys", moved), "in half precision the detour");
-}
-
-/// An identity in c_diff, in 50 digits.
-Finding light_unit(const Claim& claim) {
-  constexpr std::array<std::string_view, 1> names{"c_diff"};
-  const Symbolic left = parse_formula(claim.inputs.at("with pi"), names),
-                 right = parse_formula(claim.inputs.at("without"), names);
-  const auto value = [](const Symbolic& formula, const Decimal50& colour) {
-    return in_50_digits(formula, [&](const std::string&) { return colour; });
-  };
-  Decimal50 furthest = 0;
-  for (int i = 1; i <= 255; ++i) {
-    const Decimal50 colour = Decimal50(i) / 255;
-    furthest = max(furthest, Decimal50(abs(value(left, colour) / value(right, colour) - 1)));
-  }
-  constexpr double tolerance = 1e-45;  // of 50 digits, after three roundings
-  return told(claim, verdict_of(furthest <= tolerance), effect_in_half(left, right),
-              Told{"furthest", furthest.convert_to<double>()}, Told{"tolerance", tolerance});
-}
-
 }  // namespace
 
 std::vector<Evaluator> normalisation_evaluators() {
@@ -277,8 +240,7 @@ std::vector<Evaluator> normalisation_evaluators() {
           {"norm-blinn-phong-brdf", constant_at_every_view},
           {"norm-blinn-phong-cheap", cheap_constant},
           {"norm-ndf", constant_alone},
-          {"norm-microfacet", microfacet_constant},
-          {"norm-game-light-unit", light_unit}};
+          {"norm-microfacet", microfacet_constant}};
 }
 
 }  // namespace shadefit

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "approx/encoding.hpp"
 #include "fit/claims/diffuse_fresnel.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/ledger/transfer_function.hpp"
@@ -54,21 +53,30 @@ TEST(Diffuse, HasTheClosedFormsOfSchlick) {
   EXPECT_THROW(diffuse_under_fresnel("1-F", 1, 0.04), std::invalid_argument);
 }
 
-TEST(TransferFunction, ReadsNamesAndDecodes) {
-  const auto srgb = transfer_function("sRGB"), power = transfer_function("gamma 2.2"),
-             slip = transfer_function("gamma 2.2 of code/256");
-  // mpmath, 20 digits: ((40/255 + 0.055)/1.055)**2.4, (40/255)**2.2, (40/256)**2.2
-  EXPECT_NEAR(srgb.linear(40), 0.021219010376003555, 1e-16);
-  EXPECT_NEAR(power.linear(40), 0.016988052089250045, 1e-16);
-  EXPECT_NEAR(slip.linear(40), 0.016842403094008966, 1e-16);
-  for (const auto& function : {srgb, power, slip}) {
-    EXPECT_EQ(function.linear(0), 0);
-    EXPECT_EQ(function.linear(function.codes), 1);
-    for (int code = 1; code <= 255; ++code) EXPECT_NEAR(function.code(function.linear(code)), code, 5e-5);
-  }
+TEST(TransferFunction, ReadsNames) {
+  EXPECT_EQ(transfer_function("sRGB").gamma, 0);
   EXPECT_EQ(transfer_function("gamma 1.8").gamma, 1.8);
+  EXPECT_EQ(transfer_function("gamma 1.8").codes, 255);
+  EXPECT_EQ(transfer_function("gamma 2.2 of code/256").codes, 256);
   for (const char* bad : {"", "srgb", "gamma", "gamma x", "sRGB of code/"})
     EXPECT_THROW(transfer_function(bad), std::invalid_argument) << bad;
+}
+
+// mpmath, 20 digits: ((40/255 + 0.055)/1.055)**2.4, (40/255)**2.2, (40/256)**2.2; and back from codes
+TEST(TransferFunction, DecodesAndEncodes) {
+  const auto computed = [](std::string_view convention) {
+    return evaluate(with_input(*find_claim("chart-overlap"), "convention", convention)).computed;
+  };
+  EXPECT_TRUE(computed("sRGB").starts_with("dielectrics 0.02121901 .. ")) << computed("sRGB");
+  EXPECT_TRUE(computed("gamma 2.2").starts_with("dielectrics 0.01698805 .. "));
+  EXPECT_TRUE(computed("gamma 2.2 of code/256").starts_with("dielectrics 0.0168424 .. "));
+  for (const char* convention : {"sRGB", "gamma 2.2", "gamma 2.2 of code/256"}) {
+    Claim claim = with_input(*find_claim("middle-grey"), "convention", convention);
+    claim = with_input(claim, "other conventions", convention);
+    const std::string code = evaluate(claim).computed;
+    const std::string evidence = evaluate(with_input(claim, "not", code)).evidence;
+    EXPECT_NE(evidence.find("code " + code + " is 0.5,"), std::string::npos) << evidence;
+  }
 }
 
 TEST(List, IsReadByItsSeparator) {
