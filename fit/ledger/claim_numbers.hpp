@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -74,15 +75,24 @@ class ClaimNumbers {
   double rounded(std::string_view text) { return static_cast<double>(value(text)); }
   bool holds(std::string_view condition) { return value(std::string(condition) + " ? 1 : 0") != 0; }
 
-  /// The variable that is bound innermost, to that number; null if there is none of that name.
-  const T* bound(std::string_view name) const {
+  struct Bound {
+    std::string name;
+    T value;
+    std::string text = {};  ///< of the item that it stands for
+    bool operator<(const Bound& other) const {
+      return std::tie(name, value) < std::tie(other.name, other.value);
+    }
+  };
+
+  /// The variable that is bound innermost of that name; null if there is none.
+  const Bound* bound(std::string_view name) const {
     const auto found =
         std::find_if(bound_.rbegin(), bound_.rend(), [&](const auto& b) { return b.name == name; });
-    return found == bound_.rend() ? nullptr : &found->value;
+    return found == bound_.rend() ? nullptr : &*found;
   }
 
   T number(const std::string& name) {
-    if (const T* found = bound(name)) return *found;
+    if (const Bound* found = bound(name)) return found->value;
     if (const Line* line = line_of(name)) return found_by(*line).value;
     for (std::size_t i = 0; i < all_verdicts.size(); ++i) {
       std::string verdict(shadefit::name(all_verdicts[i]));
@@ -97,30 +107,29 @@ class ClaimNumbers {
   /// Visits all places, with their variables bound.
   void at(std::string_view places, const Visit& visit) {
     const auto comma = places.find(", "), in = places.find(" in ");
-    const std::string_view name = places.substr(0, in), range = places.substr(in + 4, comma - in - 4);
+    const std::string name(places.substr(0, in));
+    const std::string_view range = places.substr(in + 4, comma - in - 4);
     const Visit next =
         comma == std::string_view::npos ? visit : [&, rest = places.substr(comma + 2)] { at(rest, visit); };
+    T index = 0;
     if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
       const T last = value(range.substr(dots + 4));
       for (T i = value(range.substr(0, dots)); i <= last; i += 1) with({{name, i}}, next);
     } else if (range == "printed") {
-      for (std::size_t i = 0; i < claim_.printed.size(); ++i) {
-        with({{fmt::format("printed_{}", name), constant<T>(claim_.printed[i].value)},
-              {name, T(static_cast<double>(i))}},
-             next);
-      }
+      for (const Quantity& printed : claim_.printed)
+        with({{"printed_" + name, constant<T>(printed.value)}, {name, index++}}, next);
     } else if (range == "conventions") {
-      double i = 0;
-      for (const TransferFunction& t : conventions_of(claim_)) {
-        with({{fmt::format("{}_gamma", name), T(t.gamma)},
-              {fmt::format("{}_codes", name), T(t.codes)},
-              {name, T(i++)}},
-             next);
-      }
+      for (const TransferFunction& t : conventions_of(claim_))
+        with({{name + "_gamma", T(t.gamma)}, {name + "_codes", T(t.codes)}, {name, index++, t.name}}, next);
+    } else if (const std::string_view list = given_text(claim_, range);
+               list.find(':') != std::string_view::npos) {
+      for (const double x : parse_sweep(list)) with({{name, T(x)}}, next);
     } else {
-      const std::string_view text = given_text(claim_, range);
-      const auto numbers = text.find(':') == std::string_view::npos ? numbers_of(text) : parse_sweep(text);
-      for (const double x : numbers) with({{name, T(x)}}, next);
+      for (const std::string& item : items_of(list)) {
+        const auto number = parse_number(item);
+        with({{name, number ? T(*number) : index, item}}, next);
+        index += 1;
+      }
     }
   }
 
@@ -141,7 +150,7 @@ class ClaimNumbers {
   std::function<double(double)> function(std::string_view variable, std::string formula) {
     return [this, variable, formula = std::move(formula)](double x) {
       double found = 0;
-      with({{variable, T(x)}}, [&] { found = rounded(formula); });
+      with({{std::string(variable), T(x)}}, [&] { found = rounded(formula); });
       return found;
     };
   }
@@ -153,15 +162,6 @@ class ClaimNumbers {
       found = formulas_.emplace(std::string(text), read_formula(text, names_).formula).first;
     return found->second;
   }
-
-  struct Bound {
-    std::string name;
-    T value;
-    Bound(std::string_view of, const T& number) : name(of), value(number) {}
-    bool operator<(const Bound& other) const {
-      return std::tie(name, value) < std::tie(other.name, other.value);
-    }
-  };
 
   struct Found {
     T value;
@@ -205,7 +205,7 @@ class ClaimNumbers {
 
   /// By the first rule, with the doubt of both.
   Integral integral(const Line& line) {
-    constexpr double tolerance = 1e-14;
+    constexpr double tolerance = 1e-13;
     const std::size_t other = line.size() > 6 ? 6 : 3;
     const Integral first = gauss_kronrod(function(line.at(2), std::string(line.at(5))), rounded(line.at(3)),
                                          rounded(line.at(4)), tolerance);
@@ -214,22 +214,28 @@ class ClaimNumbers {
     return {first.value, first.error + second.error + std::abs(first.value - second.value)};
   }
 
-  /// The value of a formula with every operation rounded to a format.
-  double in(std::string_view format, std::string_view text) {
-    return in_format(format, [&]<class Format>() {
-      return widened(evaluate<Format>(formula(text), [&](const std::string& name) {
-        return rounded_to<Format>(static_cast<double>(number(name)));
-      }));
-    });
+  /// A format by its name, or by a variable that is bound to that.
+  template <class Call>
+  auto in_format_of(std::string_view name, const Call& call) {
+    const Bound* variable = bound(name);
+    return in_format(variable != nullptr ? variable->text : name, call);
   }
 
-  double last_in_format(const Line& line) {
-    const double last = last_by_halving(rounded(line.at(4)), rounded(line.at(5)), 60, [&](double x) {
+  /// The value of a formula with every operation rounded to a format.
+  template <class Format>
+  double in(std::string_view text) {
+    return widened(evaluate<Format>(formula(text), [&](const std::string& name) {
+      return rounded_to<Format>(static_cast<double>(number(name)));
+    }));
+  }
+
+  template <class Format>
+  double last_in(const Line& line) {
+    return last_that_holds<Format>(rounded(line.at(4)), rounded(line.at(5)), [&](Format x) {
       double found = 0;
-      with({{line.at(3), T(x)}}, [&] { found = in(line.at(2), line.at(6)); });
+      with({{std::string(line.at(3)), T(widened(x))}}, [&] { found = in<Format>(line.at(6)); });
       return found >= 0 && std::isfinite(found);
     });
-    return in_format(line.at(2), [&]<class Format>() { return widened(rounded_to<Format>(last)); });
   }
 
   double channels(std::string_view list) const {
@@ -263,8 +269,16 @@ class ClaimNumbers {
     if (kind == "units")
       return T(static_cast<double>(units_off(given_text(claim_, line.at(2)), rounded(line.at(3)))));
     if (kind == "unit") return T(last_unit(given_text(claim_, line.at(2))));
-    if (kind == "in") return T(in(line.at(2), line.at(3)));
-    if (kind == "last") return T(last_in_format(line));
+    if (kind == "in")
+      return T(in_format_of(line.at(2), [&]<class Format>() { return in<Format>(line.at(3)); }));
+    if (kind == "last")
+      return T(in_format_of(line.at(2), [&]<class Format>() { return last_in<Format>(line); }));
+    if (kind == "least")
+      return T(in_format_of(line.at(2),
+                            []<class Format>() { return widened(std::numeric_limits<Format>::min()); }));
+    if (kind == "greatest")
+      return T(in_format_of(line.at(2),
+                            []<class Format>() { return widened(std::numeric_limits<Format>::max()); }));
     if (kind == "channels") return T(channels(claim_.inputs.at(line.at(2))));
     if constexpr (!std::same_as<T, double>) {
       static const RootsOfTwo<T> roots;

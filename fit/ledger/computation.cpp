@@ -40,10 +40,9 @@ class Computation {
 
   std::optional<std::string> words(const std::string& name) {
     if (const auto found = words_.find(name); found != words_.end()) return found->second;
-    if (const T* bound = numbers_.bound(name)) return as_text(*bound);
+    if (const auto* bound = numbers_.bound(name)) return as_text(bound->value);
     if (name.ends_with("_name")) {
-      if (const T* convention = numbers_.bound(name.substr(0, name.size() - 5)))
-        return conventions_of(claim_).at(static_cast<std::size_t>(*convention)).name;
+      if (const auto* bound = numbers_.bound(name.substr(0, name.size() - 5))) return bound->text;
     }
     const Line* line = numbers_.line_of(name);
     return line != nullptr ? std::optional(words_of(*line)) : std::nullopt;
@@ -70,7 +69,7 @@ class Computation {
     int before = -2, first = 0;
     numbers_.at(places, [&] {
       if (!numbers_.holds(condition)) return;
-      const int place = static_cast<int>(*numbers_.bound(variable));
+      const int place = static_cast<int>(numbers_.bound(variable)->value);
       if (place != before + 1) {
         first = place;
         runs.emplace_back();
@@ -110,6 +109,7 @@ class Computation {
     const std::string_view kind = line.at(0);
     if (kind == "power") return effect_of_power(rounded(line.at(1)), rounded(line.at(2)), text(line.at(3)));
     if (kind == "factor") return effect_of_factor(rounded(line.at(1)), rounded(line.at(2)), text(line.at(3)));
+    if (kind == "none") return "none: " + text(line.at(1));
     Effect effect;
     const auto add = [&](const Coordinate& beside) {
       effect.include(effect_between(numbers_.curve(line.at(1)), numbers_.curve(line.at(2)),

@@ -25,7 +25,8 @@ namespace shadefit {
 ///   name     optimum FAMILY INDEX        a parameter of the unrounded optimum
 ///   name     units PRINTED FORMULA       the difference in units of the last printed digit
 ///   name     unit PRINTED                that unit
-///   name     in FORMAT FORMULA           in half, float or double
+///   name     in FORMAT FORMULA           in half, float or double, or the one that a variable stands for
+///   name     least FORMAT                the least normal number; or greatest FORMAT
 ///   name     last FORMAT x FROM TO FORMULA  the last x of the format with a finite value of at least 0
 ///   name     squares FORMULA             the binary logarithm, by squaring (in 50 digits)
 ///   name     roots FORMULA               2^FORMULA, by square roots (in 50 digits)
@@ -38,8 +39,8 @@ namespace shadefit {
 ///   name     ranges x FORMULA            "from c = 0.5 to 1": where it is positive, x in [0, 1]
 ///   name     runs PLACES CONDITION       "0 to 1 and 250 to 255": the places where it holds
 /// PLACES are "x in INPUT", "i in FROM .. TO" (whole steps), "i in printed" (then `printed_i` is that number),
-/// "t in conventions" (then `t_gamma`, 0 for sRGB, `t_codes` and `t_name` are those of a transfer function), or
-/// several of these, by ", ".
+/// "t in conventions" (then `t_gamma`, 0 for sRGB, and `t_codes` are those of a transfer function), or several of
+/// these, by ", ". `{x_name}` is the item of a list as it stands; x is its number, or if it is none, its place.
 ///
 /// A verdict is "printed_0 = FORMULA", which judges the digits of a printed number or of an input, or a
 /// formula of the names of verdicts and of `undecided`. The worst counts. `{verdict_0}` is the name of the first.
@@ -47,6 +48,7 @@ namespace shadefit {
 /// An effect is a list of texts:
 ///   power FROM TO LEAD                   of a lobe's power
 ///   factor FROM TO LEAD                  of a factor on greys
+///   none TEXT                            the reason
 ///   value BEFORE AFTER WHAT LEAD LABEL FORMULA ..
 ///   each BEFORE AFTER WHAT LEAD PLACES LABEL FORMULA ..
 ///   curve BEFORE AFTER WHAT LEAD CONCENTRATION  of functions of c and y; with PLACES LABEL FORMULA at each

@@ -15,7 +15,6 @@
 namespace shadefit {
 
 std::vector<Evaluator> lobe_evaluators();
-std::vector<Evaluator> arithmetic_evaluators();
 std::vector<Evaluator> half_banding_evaluators();
 std::vector<Evaluator> cost_evaluators();
 std::vector<Evaluator> kernels_evaluators();

@@ -33,6 +33,14 @@ inline Claim with_input(Claim claim, std::string_view name, std::string_view val
   throw std::out_of_range("no input of that name");
 }
 
+/// A formula of the definitions of a claim that is data.
+inline double computed_number(Claim claim, std::string_view formula) {
+  const std::string text = "{" + std::string(formula) + ":.17g}";
+  claim.computed = text;
+  claim.evidence = "";
+  return std::stod(evaluate(claim).computed);
+}
+
 inline std::string verdict_of(const Claim& claim) {
   const auto verdict = evaluate(claim).verdict;
   return std::string(verdict ? name(*verdict) : "undecided");
