@@ -39,6 +39,12 @@ class ClaimNumbers {
 
   explicit ClaimNumbers(const Claim& claim) : claim_(claim) {
     names_.takes_parameters = names_.takes_integrals = true;
+    for (std::size_t i = 0; i < all_verdicts.size(); ++i) {
+      std::string verdict(name(all_verdicts[i]));
+      std::ranges::replace(verdict, '-', '_');
+      given_[verdict] = T(static_cast<double>(i));
+    }
+    given_["undecided"] = -1;
     for (const Line& line : claim.instructions.definitions) {
       const auto open = line.at(0).find('(');
       const std::string name(line.at(0).substr(0, open));
@@ -94,14 +100,9 @@ class ClaimNumbers {
   T number(const std::string& name) {
     if (const Bound* found = bound(name)) return found->value;
     if (const Line* line = line_of(name)) return found_by(*line).value;
-    for (std::size_t i = 0; i < all_verdicts.size(); ++i) {
-      std::string verdict(shadefit::name(all_verdicts[i]));
-      std::ranges::replace(verdict, '-', '_');
-      if (verdict == name) return T(static_cast<double>(i));
-    }
-    if (name == "undecided") return T(-1);
-    if (name.ends_with("_first") || name.ends_with("_last")) return T(given_number(claim_, name));
-    return constant<T>(given_text(claim_, name));
+    if (const auto given = given_.find(name); given != given_.end()) return given->second;
+    const bool is_end = name.ends_with("_first") || name.ends_with("_last");
+    return given_[name] = is_end ? T(given_number(claim_, name)) : constant<T>(given_text(claim_, name));
   }
 
   /// Visits all places, with their variables bound.
@@ -126,7 +127,7 @@ class ClaimNumbers {
       for (const double x : parse_sweep(list)) with({{name, T(x)}}, next);
     } else {
       for (const std::string& item : items_of(list)) {
-        const auto number = parse_number(item);
+        const auto number = parse_number(item.substr(item.rfind(' ') + 1));
         with({{name, number ? T(*number) : index, item}}, next);
         index += 1;
       }
@@ -238,12 +239,6 @@ class ClaimNumbers {
     });
   }
 
-  double channels(std::string_view list) const {
-    double sum = 0;
-    for (const std::string& item : items_of(list)) sum += number_of(item.substr(item.rfind(' ') + 1));
-    return sum;
-  }
-
   T searched(const Line& line) {
     const std::string_view kind = line.at(1);
     if (kind == "most") return where_largest(line.at(2), line.at(3), line.at(3));
@@ -279,7 +274,6 @@ class ClaimNumbers {
     if (kind == "greatest")
       return T(in_format_of(line.at(2),
                             []<class Format>() { return widened(std::numeric_limits<Format>::max()); }));
-    if (kind == "channels") return T(channels(claim_.inputs.at(line.at(2))));
     if constexpr (!std::same_as<T, double>) {
       static const RootsOfTwo<T> roots;
       if (kind == "squares") return log2_by_squares(value(line.at(2)));
@@ -293,7 +287,8 @@ class ClaimNumbers {
   std::map<std::string, const Line*, std::less<>> lines_;
   std::map<std::string, Symbolic, std::less<>> formulas_;
   std::map<std::pair<std::string_view, std::vector<Bound>>, Found> kept_;
-  std::vector<Bound> bound_;  ///< variables, the innermost last
+  std::map<std::string, T, std::less<>> given_;  ///< numbers of the record, and those of verdicts
+  std::vector<Bound> bound_;                     ///< variables, the innermost last
 };
 
 }  // namespace shadefit

@@ -30,7 +30,6 @@ namespace shadefit {
 ///   name     last FORMAT x FROM TO FORMULA  the last x of the format with a finite value of at least 0
 ///   name     squares FORMULA             the binary logarithm, by squaring (in 50 digits)
 ///   name     roots FORMULA               2^FORMULA, by square roots (in 50 digits)
-///   name     channels INPUT              the numbers at the ends of the items of a list, added up
 /// and for words, whose texts have holes:
 ///   name     text TEXT
 ///   name     if CONDITION TEXT TEXT
@@ -40,7 +39,8 @@ namespace shadefit {
 ///   name     runs PLACES CONDITION       "0 to 1 and 250 to 255": the places where it holds
 /// PLACES are "x in INPUT", "i in FROM .. TO" (whole steps), "i in printed" (then `printed_i` is that number),
 /// "t in conventions" (then `t_gamma`, 0 for sRGB, and `t_codes` are those of a transfer function), or several of
-/// these, by ", ". `{x_name}` is the item of a list as it stands; x is its number, or if it is none, its place.
+/// these, by ", ". `{x_name}` is the item of a list as it stands; x is the number at its end, or if
+/// there is none, its place.
 ///
 /// A verdict is "printed_0 = FORMULA", which judges the digits of a printed number or of an input, or a
 /// formula of the names of verdicts and of `undecided`. The worst counts. `{verdict_0}` is the name of the first.
