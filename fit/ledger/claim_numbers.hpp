@@ -9,7 +9,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/ledger/agreement.hpp"
+#include "fit/ledger/bound_variables.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/told.hpp"
 #include "fit/ledger/transfer_function.hpp"
@@ -81,24 +81,11 @@ class ClaimNumbers {
   double rounded(std::string_view text) { return static_cast<double>(value(text)); }
   bool holds(std::string_view condition) { return value(std::string(condition) + " ? 1 : 0") != 0; }
 
-  struct Bound {
-    std::string name;
-    T value;
-    std::string text = {};  ///< of the item that it stands for
-    bool operator<(const Bound& other) const {
-      return std::tie(name, value) < std::tie(other.name, other.value);
-    }
-  };
-
-  /// The variable that is bound innermost of that name; null if there is none.
-  const Bound* bound(std::string_view name) const {
-    const auto found =
-        std::find_if(bound_.rbegin(), bound_.rend(), [&](const auto& b) { return b.name == name; });
-    return found == bound_.rend() ? nullptr : &*found;
-  }
+  /// The variable of that name that is bound innermost; null if there is none.
+  const Bound<T>* bound(std::string_view name) { return bound_.find(name); }
 
   T number(const std::string& name) {
-    if (const Bound* found = bound(name)) return found->value;
+    if (const auto* found = bound(name)) return found->value;
     if (const Line* line = line_of(name)) return found_by(*line).value;
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
     const bool is_end = name.ends_with("_first") || name.ends_with("_last");
@@ -115,20 +102,21 @@ class ClaimNumbers {
     T index = 0;
     if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
       const T last = value(range.substr(dots + 4));
-      for (T i = value(range.substr(0, dots)); i <= last; i += 1) with({{name, i}}, next);
+      for (T i = value(range.substr(0, dots)); i <= last; i += 1) bound_.with({{name, i}}, next);
     } else if (range == "printed") {
       for (const Quantity& printed : claim_.printed)
-        with({{"printed_" + name, constant<T>(printed.value)}, {name, index++}}, next);
+        bound_.with({{"printed_" + name, constant<T>(printed.value)}, {name, index++}}, next);
     } else if (range == "conventions") {
       for (const TransferFunction& t : conventions_of(claim_))
-        with({{name + "_gamma", T(t.gamma)}, {name + "_codes", T(t.codes)}, {name, index++, t.name}}, next);
+        bound_.with({{name + "_gamma", T(t.gamma)}, {name + "_codes", T(t.codes)}, {name, index++, t.name}},
+                    next);
     } else if (const std::string_view list = given_text(claim_, range);
                list.find(':') != std::string_view::npos) {
-      for (const double x : parse_sweep(list)) with({{name, T(x)}}, next);
+      for (const double x : parse_sweep(list)) bound_.with({{name, T(x)}}, next);
     } else {
       for (const std::string& item : items_of(list)) {
         const auto number = parse_number(item.substr(item.rfind(' ') + 1));
-        with({{name, number ? T(*number) : index, item}}, next);
+        bound_.with({{name, number ? T(*number) : index, item}}, next);
         index += 1;
       }
     }
@@ -151,7 +139,7 @@ class ClaimNumbers {
   std::function<double(double)> function(std::string_view variable, std::string formula) {
     return [this, variable, formula = std::move(formula)](double x) {
       double found = 0;
-      with({{std::string(variable), T(x)}}, [&] { found = rounded(formula); });
+      bound_.with({{std::string(variable), T(x)}}, [&] { found = rounded(formula); });
       return found;
     };
   }
@@ -169,26 +157,30 @@ class ClaimNumbers {
     double doubt = 0;  ///< of an integral
   };
 
-  /// What a definition gives for the bound variables; kept where that takes long.
+  /// What a definition gives for the bound variables. It is kept if it needs none of them, or takes long.
   Found found_by(const Line& line) {
-    const bool is_kept = line.size() > 2 || bound_.empty();
-    const auto key = is_kept ? std::pair(line.at(0), bound_) : std::pair(line.at(0), std::vector<Bound>());
-    if (const auto kept = kept_.find(key); is_kept && kept != kept_.end()) return kept->second;
-    Found found{T(0)};
-    if (line.at(1) == "integral") {
-      const Integral both = integral(line);
-      found = {T(both.value), both.error};
-    } else {
-      found.value = line.size() == 2 ? value(line.at(1)) : searched(line);
+    if (const auto kept = constants_.find(line.at(0)); kept != constants_.end()) return kept->second;
+    std::vector<Bound<T>> variables;
+    if (line.size() > 2) {
+      const auto kept = kept_.find({line.at(0), bound_.all()});
+      if (kept != kept_.end()) {
+        bound_.use_all();
+        return kept->second;
+      }
+      variables = bound_.all();
     }
-    if (is_kept) kept_.emplace(key, found);
+    Found found{T(0)};
+    const bool needs_variables = bound_.used_by([&] {
+      if (line.at(1) == "integral") {
+        const Integral both = integral(line);
+        found = {T(both.value), both.error};
+      } else {
+        found.value = line.size() > 2 ? searched(line) : value(line.at(1));
+      }
+    });
+    if (!needs_variables) constants_.emplace(line.at(0), found);
+    if (needs_variables && line.size() > 2) kept_.emplace(std::pair(line.at(0), variables), found);
     return found;
-  }
-
-  void with(const std::vector<Bound>& variables, const Visit& visit) {
-    bound_.insert(bound_.end(), variables.begin(), variables.end());
-    visit();
-    bound_.erase(bound_.end() - std::ssize(variables), bound_.end());
   }
 
   /// The place where a formula is largest, as the value of another; of values equal to rounding, the first.
@@ -218,7 +210,7 @@ class ClaimNumbers {
   /// A format by its name, or by a variable that is bound to that.
   template <class Call>
   auto in_format_of(std::string_view name, const Call& call) {
-    const Bound* variable = bound(name);
+    const auto* variable = bound(name);
     return in_format(variable != nullptr ? variable->text : name, call);
   }
 
@@ -234,7 +226,7 @@ class ClaimNumbers {
   double last_in(const Line& line) {
     return last_that_holds<Format>(rounded(line.at(4)), rounded(line.at(5)), [&](Format x) {
       double found = 0;
-      with({{std::string(line.at(3)), T(widened(x))}}, [&] { found = in<Format>(line.at(6)); });
+      bound_.with({{std::string(line.at(3)), T(widened(x))}}, [&] { found = in<Format>(line.at(6)); });
       return found >= 0 && std::isfinite(found);
     });
   }
@@ -286,9 +278,10 @@ class ClaimNumbers {
   FormulaNames names_;
   std::map<std::string, const Line*, std::less<>> lines_;
   std::map<std::string, Symbolic, std::less<>> formulas_;
-  std::map<std::pair<std::string_view, std::vector<Bound>>, Found> kept_;
+  std::map<std::string_view, Found> constants_;
+  std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
   std::map<std::string, T, std::less<>> given_;  ///< numbers of the record, and those of verdicts
-  std::vector<Bound> bound_;                     ///< variables, the innermost last
+  BoundVariables<T> bound_;
 };
 
 }  // namespace shadefit

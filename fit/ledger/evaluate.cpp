@@ -120,7 +120,7 @@ Evaluate evaluator_of(const Claim& claim) {
   static constexpr std::array topics{lobe_evaluators,        half_banding_evaluators,  cost_evaluators,
                                      kernels_evaluators,     density_evaluators,       fresnel_evaluators,
                                      phong_blinn_evaluators, normalisation_evaluators, harmonics_evaluators,
-                                     material_evaluators,    dither_evaluators,        microfacet_evaluators};
+                                     dither_evaluators,      microfacet_evaluators};
   for (const auto& evaluators : topics) {
     for (const Evaluator& evaluator : evaluators()) {
       if (evaluator.id == claim.id) return evaluator.evaluate;

@@ -23,7 +23,6 @@ std::vector<Evaluator> fresnel_evaluators();
 std::vector<Evaluator> phong_blinn_evaluators();
 std::vector<Evaluator> normalisation_evaluators();
 std::vector<Evaluator> harmonics_evaluators();
-std::vector<Evaluator> material_evaluators();
 std::vector<Evaluator> dither_evaluators();
 std::vector<Evaluator> microfacet_evaluators();
 
