@@ -155,16 +155,13 @@ double furthest_place(const DistanceAt& distance) {
       .first;
 }
 
-/// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`.
-/// Empty if it does not cross `allowed` on the way.
-std::optional<double> close_up_to(const DistanceAt& distance, double from, double to, double allowed) {
-  const auto excess = [&](double x) { return distance(x) - allowed; };
-  const double step = std::copysign(grid_step, to - from);
-  for (double x = from; (to - x) * step > 0 && excess(x) <= 0; x += step) {
-    const double next = std::clamp(x + step, std::min(from, to), std::max(from, to));
-    if (excess(next) > 0) return root_between(excess, std::min(x, next), std::max(x, next), root_bits);
-  }
-  return std::nullopt;
+/// The range of powers in which it is further away than `allowed`; not numbers if there is none.
+Range powers_beyond(const DistanceAt& distance, double allowed) {
+  std::vector<double> places;
+  for (double x = grid_first; x <= grid_last; x += grid_step) places.push_back(x);
+  const auto beyond = where_positive([&](double x) { return distance(x) - allowed; }, places, root_bits);
+  if (beyond.empty()) return {std::nan(""), std::nan("")};
+  return {std::exp2(beyond.front().from), std::exp2(beyond.back().to)};
 }
 
 /// The views at which it creates energy: "7.5 % seen along the normal .."
@@ -204,9 +201,7 @@ Finding cheap_constant(const Claim& claim) {
   };
   const DistanceAt distance = [&](double log2_alpha) { return std::abs(ratio(log2_alpha) - 1); };
   const double place = furthest_place(distance), code = change_of_one_code();
-  const auto power_of = [](std::optional<double> log2_alpha) {
-    return exp2(log2_alpha.value_or(std::nan("")));
-  };
+  const Range beyond_code = powers_beyond(distance, code);
   const Verdict verdict =
       worst(std::array{verdict_of(distance(place) <= close), closest_at_low_powers(distance, place)});
   return told(claim, error <= reflectance_tolerance ? std::optional(verdict) : std::nullopt,
@@ -214,10 +209,8 @@ Finding cheap_constant(const Claim& claim) {
               Told{"exact", BlinnPhongBrdfLobe::record.printed}, Told{"ratio", ratio(place)},
               Told{"place", std::exp2(place)}, Told{"furthest", distance(place)},
               Told{"is_within", distance(place) <= close ? "within" : "not within"}, Told{"one_code", code},
-              Told{"code_up_to", power_of(close_up_to(distance, grid_first, place, code))},
-              Told{"code_from", power_of(close_up_to(distance, grid_last, place, code))},
-              Told{"closer_from", power_of(close_up_to(distance, grid_last, place,
-                                                       distance(std::log2(given(claim, "low power")))))},
+              Told{"code_up_to", beyond_code.from}, Told{"code_from", beyond_code.to},
+              Told{"closer_from", powers_beyond(distance, distance(std::log2(given(claim, "low power")))).to},
               Told{"views", views_of(claim).size()}, Told{"energy", energy_in_words(curves)});
 }
 

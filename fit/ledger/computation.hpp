@@ -25,7 +25,7 @@ namespace shadefit {
 ///   name     optimum FAMILY INDEX        a parameter of the unrounded optimum
 ///   name     units PRINTED FORMULA       the difference in units of the last printed digit
 ///   name     unit PRINTED                that unit
-///   name     in FORMAT FORMULA           in half, float or double, or the one that a variable stands for
+///   name     in FORMAT FORMULA           in half, float, double, long double, or the one that a variable stands for
 ///   name     least FORMAT                the least normal number; or greatest FORMAT
 ///   name     last FORMAT x FROM TO FORMULA  the last x of the format with a finite value of at least 0
 ///   name     squares FORMULA             the binary logarithm, by squaring (in 50 digits)

@@ -18,7 +18,6 @@ std::vector<Evaluator> lobe_evaluators();
 std::vector<Evaluator> half_banding_evaluators();
 std::vector<Evaluator> cost_evaluators();
 std::vector<Evaluator> kernels_evaluators();
-std::vector<Evaluator> density_evaluators();
 std::vector<Evaluator> fresnel_evaluators();
 std::vector<Evaluator> phong_blinn_evaluators();
 std::vector<Evaluator> normalisation_evaluators();

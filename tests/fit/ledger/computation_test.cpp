@@ -4,6 +4,7 @@
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
 #include "approx/material.hpp"
+#include "approx/phase.hpp"
 #include "fit/ledger/agreement.hpp"
 #include "fit/ledger/read_claims.hpp"
 #include "tests/fit/ledger/mutations.hpp"
@@ -133,6 +134,8 @@ TEST(Computation, TheRecordsHaveTheFormulasOfApprox) {
   EXPECT_DOUBLE_EQ(of("log2-identity-first", "right_at"), misprinted_log_is_right_at<double>());
   EXPECT_DOUBLE_EQ(of("metallic-workflow", "sum_of(0.75, 0.25)"),
                    metallic_albedo(0.75, 0.25) + metallic_f0(0.03, 0.75, 0.25));
+  EXPECT_DOUBLE_EQ(of("hg-normalisation", "near(0.3, 0.9)"), henyey_greenstein_near_peak(0.3, 0.9));
+  EXPECT_DOUBLE_EQ(of("hg-normalisation", "share(0.3, 0.9)"), henyey_greenstein_within(0.3, 0.9));
   EXPECT_DOUBLE_EQ(of("gloss-log2-constant", "exact"), base_two_first(1.0));
 }
 
