@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -41,9 +42,12 @@ inline double computed_number(Claim claim, std::string_view formula) {
   return std::stod(evaluate(claim).computed);
 }
 
-inline std::string verdict_of(const Claim& claim) {
-  const auto verdict = evaluate(claim).verdict;
+inline std::string name_of(const std::optional<Verdict>& verdict) {
   return std::string(verdict ? name(*verdict) : "undecided");
+}
+
+inline std::string verdict_of(const Claim& claim) {
+  return name_of(evaluate(claim).verdict);
 }
 
 }  // namespace shadefit

@@ -103,6 +103,7 @@ TEST_P(OfTopic, ClaimsRestOnWhatIsPrintedAndGiven) {
         EXPECT_THROW(evaluate(after), std::exception) << row;
       } else if (!verdict.empty()) {
         EXPECT_EQ(verdict_of(after), verdict) << row;
+        if (changes.size() == 1 && verdict != name_of(before.verdict)) matter.insert(changes[0].what);
       } else {
         ASSERT_EQ(changes.size(), 1U) << row;
         matter.insert(changes[0].what);
