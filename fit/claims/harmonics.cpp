@@ -1,7 +1,6 @@
 #include "approx/harmonics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,80 +10,6 @@ namespace shadefit {
 namespace {
 
 constexpr double harmonic_tolerance = 1e-14;
-
-/// The basis without its factors: 1, -y, z, -x at the cosine z and the azimuth phi.
-double without_factor(int i, double z, double phi) {
-  const double radius = std::sqrt((1 - z) * (1 + z));
-  const std::array values{1.0, -radius * std::sin(phi), z, -radius * std::cos(phi)};
-  return values[static_cast<std::size_t>(i)];
-}
-
-constexpr double turn = 2 * std::numbers::pi;
-
-/// The integral of a product of two of them over the sphere: by equal steps in the azimuth, which are exact
-/// for angles up to 2 phi, and two rules in z. tanh-sinh never settles on an integral of 0, so 1 is added to
-/// each ring.
-Integral integral_of_product(int i, int j) {
-  constexpr int steps = 8;
-  const auto ring = [&](double z) {
-    double sum = 0;
-    for (int n = 0; n < steps; ++n) {
-      const double phi = turn * (n + 0.5) / steps;
-      sum += without_factor(i, z, phi) * without_factor(j, z, phi);
-    }
-    return sum * turn / steps + 1;
-  };
-  const Integral first = gauss_kronrod(ring, -1, 1, harmonic_tolerance),
-                 second = tanh_sinh(ring, -1, 1, harmonic_tolerance);
-  return {first.value - 2, std::max({first.error, second.error, std::abs(first.value - second.value)})};
-}
-
-Finding evaluate_basis(const Claim& claim) {
-  const std::string_view tolerance = claim.inputs.at("tolerance");
-  const std::array closed_forms{harmonic_of_band_zero<double>(), harmonic_of_band_one<double>()};
-  // The ten integrals of products: the norms, and the largest of the others, which should be 0.
-  std::array<double, 4> norm{};
-  double coupling = 0, rule_error = 0;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      const Integral product = integral_of_product(i, j);
-      rule_error = std::max(rule_error, product.error);
-      if (i == j) norm[static_cast<std::size_t>(i)] = product.value;
-      if (i != j) coupling = std::max(coupling, std::abs(product.value));
-    }
-  }
-  std::vector<std::optional<Verdict>> verdicts;
-  std::vector<std::string> norms, effects;
-  // The integrals are of functions without their factors, and at most 4 pi. Orthonormal are those with them.
-  const double squared_factor = closed_forms[1] * closed_forms[1];
-  const double uncertainty = rule_error * squared_factor;
-  double gap = coupling * squared_factor;
-  for (std::size_t band = 0; band < 2; ++band) {
-    const Quantity& printed = claim.printed[band];
-    const double exact = closed_forms[band], stated = number_of(printed.value);
-    const double error = rule_error * exact;  // more than its share of the error of the norm
-    verdicts.push_back(judge_known_to(printed.value, 1 / std::sqrt(norm[band]), error));
-    for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i)
-      gap = std::max(gap, std::abs(norm[i] * exact * exact - 1));
-    norms.push_back(fmt::format("1 {}{:.3g}", stated < exact ? "- " : "+ ",
-                                std::abs(stated * stated / (exact * exact) - 1)));
-    effects.push_back(effect_of_factor(stated, exact, printed.name));
-  }
-  if (uncertainty > number_of(tolerance)) verdicts.push_back(std::nullopt);
-  verdicts.push_back(verdict_of(gap <= number_of(tolerance)));
-  return told(claim, worst(verdicts), sentences(effects),
-              Told{"agree", within(std::max(gap, uncertainty), tolerance)}, Told{"norms", enumerated(norms)});
-}
-
-Finding evaluate_memory(const Claim& claim) {
-  double bytes = 1.0 / 8;
-  for (const Quantity& input : claim.inputs) bytes *= number_of(input.value);
-  const std::string_view printed = claim.printed[0].value;
-  const Verdict verdict = units_off(printed, bytes / 1e6) == 0      ? Verdict::confirmed
-                          : units_off(printed, bytes / 0x1p20) == 0 ? Verdict::other_objective
-                                                                    : Verdict::refuted;
-  return told(claim, verdict, "none", Told{"bytes", bytes});
-}
 
 /// The part of the clamped cosine in its first bands.
 struct Kept {
@@ -172,8 +97,7 @@ Finding evaluate_loss(const Claim& claim) {
 }  // namespace
 
 std::vector<Evaluator> harmonics_evaluators() {
-  return {
-      {"sh-basis", evaluate_basis}, {"sh-buffer-memory", evaluate_memory}, {"sh-linear-loss", evaluate_loss}};
+  return {{"sh-linear-loss", evaluate_loss}};
 }
 
 }  // namespace shadefit

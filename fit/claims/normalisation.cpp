@@ -10,10 +10,7 @@
 #include "fit/claims/normalisation_check.hpp"
 #include "fit/claims/reflectance.hpp"
 #include "fit/formula/parse_formula.hpp"
-#include "fit/ledger/formats.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/scalars/half.hpp"
-#include "fit/scalars/in_50_digits.hpp"
 #include "fit/support/root.hpp"
 
 namespace shadefit {
@@ -158,16 +155,13 @@ double furthest_place(const DistanceAt& distance) {
       .first;
 }
 
-/// The place up to which it stays within `allowed` on the way from one end of the grid to the place `to`.
-/// Empty if it does not cross `allowed` on the way.
-std::optional<double> close_up_to(const DistanceAt& distance, double from, double to, double allowed) {
-  const auto excess = [&](double x) { return distance(x) - allowed; };
-  const double step = std::copysign(grid_step, to - from);
-  for (double x = from; (to - x) * step > 0 && excess(x) <= 0; x += step) {
-    const double next = std::clamp(x + step, std::min(from, to), std::max(from, to));
-    if (excess(next) > 0) return root_between(excess, std::min(x, next), std::max(x, next), root_bits);
-  }
-  return std::nullopt;
+/// The range of powers in which it is further away than `allowed`; not numbers if there is none.
+Range powers_beyond(const DistanceAt& distance, double allowed) {
+  std::vector<double> places;
+  for (double x = grid_first; x <= grid_last; x += grid_step) places.push_back(x);
+  const auto beyond = where_positive([&](double x) { return distance(x) - allowed; }, places, root_bits);
+  if (beyond.empty()) return {std::nan(""), std::nan("")};
+  return {std::exp2(beyond.front().from), std::exp2(beyond.back().to)};
 }
 
 /// The views at which it creates energy: "7.5 % seen along the normal .."
@@ -207,9 +201,7 @@ Finding cheap_constant(const Claim& claim) {
   };
   const DistanceAt distance = [&](double log2_alpha) { return std::abs(ratio(log2_alpha) - 1); };
   const double place = furthest_place(distance), code = change_of_one_code();
-  const auto power_of = [](std::optional<double> log2_alpha) {
-    return exp2(log2_alpha.value_or(std::nan("")));
-  };
+  const Range beyond_code = powers_beyond(distance, code);
   const Verdict verdict =
       worst(std::array{verdict_of(distance(place) <= close), closest_at_low_powers(distance, place)});
   return told(claim, error <= reflectance_tolerance ? std::optional(verdict) : std::nullopt,
@@ -217,10 +209,8 @@ Finding cheap_constant(const Claim& claim) {
               Told{"exact", BlinnPhongBrdfLobe::record.printed}, Told{"ratio", ratio(place)},
               Told{"place", std::exp2(place)}, Told{"furthest", distance(place)},
               Told{"is_within", distance(place) <= close ? "within" : "not within"}, Told{"one_code", code},
-              Told{"code_up_to", power_of(close_up_to(distance, grid_first, place, code))},
-              Told{"code_from", power_of(close_up_to(distance, grid_last, place, code))},
-              Told{"closer_from", power_of(close_up_to(distance, grid_last, place,
-                                                       distance(std::log2(given(claim, "low power")))))},
+              Told{"code_up_to", beyond_code.from}, Told{"code_from", beyond_code.to},
+              Told{"closer_from", powers_beyond(distance, distance(std::log2(given(claim, "low power")))).to},
               Told{"views", views_of(claim).size()}, Told{"energy", energy_in_words(curves)});
 }
 
@@ -233,40 +223,6 @@ Finding microfacet_constant(const Claim& claim) {
                        Told{"unit_first", in_unit.first}, Told{"unit_last", in_unit.last});
 }
 
-/// The effect of a detour in half precision, or "none".
-std::string effect_in_half(const Symbolic& left, const Symbolic& right) {
-  const auto value = [](const Symbolic& formula, Eigen::half colour) {
-    return widened(evaluate<Eigen::half>(formula, [&](const std::string&) { return colour; }));
-  };
-  int moved = 0;
-  Effect effect;
-  for (int i = 1; i <= 255; ++i) {
-    const Eigen::half grey = round_to_half(i / 255.0);
-    const double a = value(left, grey), b = value(right, grey);
-    moved += a != b;
-    effect.show(b, a, {{"grey ", static_cast<double>(i), "/255"}});
-  }
-  return sentence(effect, fmt::format("{} of 255 linear greys", moved), "in half precision the detour");
-}
-
-/// An identity in c_diff, in 50 digits.
-Finding light_unit(const Claim& claim) {
-  constexpr std::array<std::string_view, 1> names{"c_diff"};
-  const Symbolic left = parse_formula(claim.inputs.at("with pi"), names),
-                 right = parse_formula(claim.inputs.at("without"), names);
-  const auto value = [](const Symbolic& formula, const Decimal50& colour) {
-    return in_50_digits(formula, [&](const std::string&) { return colour; });
-  };
-  Decimal50 furthest = 0;
-  for (int i = 1; i <= 255; ++i) {
-    const Decimal50 colour = Decimal50(i) / 255;
-    furthest = max(furthest, Decimal50(abs(value(left, colour) / value(right, colour) - 1)));
-  }
-  constexpr double tolerance = 1e-45;  // of 50 digits, after three roundings
-  return told(claim, verdict_of(furthest <= tolerance), effect_in_half(left, right),
-              Told{"furthest", furthest.convert_to<double>()}, Told{"tolerance", tolerance});
-}
-
 }  // namespace
 
 std::vector<Evaluator> normalisation_evaluators() {
@@ -277,8 +233,7 @@ std::vector<Evaluator> normalisation_evaluators() {
           {"norm-blinn-phong-brdf", constant_at_every_view},
           {"norm-blinn-phong-cheap", cheap_constant},
           {"norm-ndf", constant_alone},
-          {"norm-microfacet", microfacet_constant},
-          {"norm-game-light-unit", light_unit}};
+          {"norm-microfacet", microfacet_constant}};
 }
 
 }  // namespace shadefit

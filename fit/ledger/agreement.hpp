@@ -12,13 +12,6 @@
 /// An identity, judged by its closed form against two quadrature rules.
 namespace shadefit {
 
-/// By Gauss-Kronrod; the error has the estimates of this rule and of tanh-sinh, and their difference.
-template <class F>
-Integral by_two_rules(const F& f, double from, double to, double tolerance) {
-  const Integral one = gauss_kronrod(f, from, to, tolerance), other = tanh_sinh(f, from, to, tolerance);
-  return {one.value, one.error + other.error + std::abs(one.value - other.value)};
-}
-
 /// The largest differences of a closed form and two rules over all compared places, relative to the closed
 /// form.
 struct Agreement {

@@ -29,6 +29,15 @@ struct Quantities : std::vector<Quantity> {
   }
 };
 
+/// How a claim is computed where its record says that: fit/ledger/computation.hpp.
+struct Instructions {
+  using Line = std::vector<std::string_view>;
+  std::vector<Line> definitions = {};
+  std::vector<std::string_view> verdicts = {};  ///< none: code computes it, or fits
+  std::vector<Line> effects = {};
+  bool in_50_digits = false;
+};
+
 /// One row of the ledger: the statement and our reading of it. `evaluate` computes whether it is right.
 struct Claim {
   std::string_view id;
@@ -45,6 +54,7 @@ struct Claim {
   /// The published constants that fits have to reproduce, one for each printed number, in that order; empty
   /// for other kinds of claims.
   std::span<const Published> constants = {};
+  Instructions instructions = {};
 };
 
 /// A section of the ledger.

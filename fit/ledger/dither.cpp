@@ -7,7 +7,6 @@
 #include "approx/dither.hpp"
 #include "fit/ledger/march.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/scalars/half.hpp"
 
 namespace shadefit {
 
@@ -181,40 +180,10 @@ Finding march_steps(const Claim& claim) {
               Told{"right_rms", corrected.blurred.rms}, Told{"corrected", corrected.words()});
 }
 
-/// The sum of weights at which white loses that many codes.
-double weight_that_loses(double codes, double epsilon) {
-  const double kept = srgb_decode((255 - codes) / 255);
-  return epsilon * kept / (1 - kept);
-}
-
-/// The effect of epsilon on white if the taps have that sum of weights: with sum 0 it is black.
-std::string effect_on_white(double weight, double epsilon, const std::string& lead) {
-  return effect_of_value(1, guarded_mean(weight, weight, epsilon), {{"W = ", weight}}, "white", lead);
-}
-
-Finding bilateral_epsilon(const Claim& claim) {
-  const std::string_view printed = claim.printed[0].value;
-  const double epsilon = number_of(printed), taps = given(claim, "taps");
-  const double limit = weight_that_loses(given(claim, "visible codes"), epsilon);
-  const double second_limit = weight_that_loses(given(claim, "second reading"), epsilon);
-  const auto gap_of = [&](double weight) { return (1 - weight / taps) / given(claim, "falloff"); };
-  const double flat = guarded_mean(taps, taps, epsilon);
-  const Eigen::half half_taps = constant<Eigen::half>(claim.inputs.at("taps"));
-  const bool half_keeps =
-      guarded_mean(half_taps, half_taps, constant<Eigen::half>(printed)) == integer<Eigen::half>(1);
-  return told(claim, verdict_of(limit <= 0, limit < taps),
-              sentences({effect_on_white(taps, epsilon, "where depths agree it"),
-                         effect_on_white(0, epsilon, "where every tap is beyond a depth edge it")}),
-              Told{"loss", 1 - flat}, Told{"codes", 255 - srgb_code(flat)},
-              Told{"in_half", half_keeps ? "; in half arithmetic it loses nothing" : ""},
-              Told{"limit", limit}, Told{"gap", gap_of(limit)}, Told{"second_limit", second_limit},
-              Told{"second_gap", gap_of(second_limit)});
-}
-
 }  // namespace
 
 std::vector<Evaluator> dither_evaluators() {
-  return {{"bayer-4x4", bayer}, {"march-steps", march_steps}, {"bilateral-epsilon", bilateral_epsilon}};
+  return {{"bayer-4x4", bayer}, {"march-steps", march_steps}};
 }
 
 }  // namespace shadefit

@@ -5,6 +5,7 @@
 
 #include "fit/catalogue/family.hpp"
 #include "fit/errors/effect.hpp"
+#include "fit/ledger/computation.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
@@ -117,11 +118,9 @@ Finding evaluate_published(const Claim& claim, Fits& fits) {
 /// The function that computes the claim, or null.
 Evaluate evaluator_of(const Claim& claim) {
   static constexpr std::array topics{
-      lobe_evaluators,        gloss_evaluators,         arithmetic_evaluators,      half_banding_evaluators,
-      cost_evaluators,        kernels_evaluators,       density_evaluators,         fresnel_evaluators,
-      phong_blinn_evaluators, normalisation_evaluators, environment_map_evaluators, solid_angle_evaluators,
-      harmonics_evaluators,   material_evaluators,      colour_chart_evaluators,    dither_evaluators,
-      microfacet_evaluators};
+      lobe_evaluators,    half_banding_evaluators, cost_evaluators,          kernels_evaluators,
+      fresnel_evaluators, phong_blinn_evaluators,  normalisation_evaluators, harmonics_evaluators,
+      dither_evaluators,  microfacet_evaluators};
   for (const auto& evaluators : topics) {
     for (const Evaluator& evaluator : evaluators()) {
       if (evaluator.id == claim.id) return evaluator.evaluate;
@@ -133,7 +132,8 @@ Evaluate evaluator_of(const Claim& claim) {
 }  // namespace
 
 Finding evaluate(const Claim& claim, Fits& fits) {
-  const Evaluate evaluate_claim = evaluator_of(claim);
+  const bool is_data = !claim.instructions.verdicts.empty();
+  const Evaluate evaluate_claim = is_data ? computed_by_its_record : evaluator_of(claim);
   if (claim.constants.empty()) {
     if (evaluate_claim == nullptr)
       throw std::logic_error("nothing computes the claim " + std::string(claim.id));

@@ -49,12 +49,6 @@ std::optional<Verdict> worst(std::span<const std::optional<Verdict>> parts) {
   return *std::ranges::max_element(parts);
 }
 
-std::optional<Verdict> judge_known_to(std::string_view printed, double value, double error) {
-  const Verdict low = judge(printed, {"", value - error}, {}).verdict;
-  const Verdict high = judge(printed, {"", value + error}, {}).verdict;
-  return low == high ? std::optional(low) : std::nullopt;
-}
-
 double number_of(std::string_view text) {
   return constant<double>(text);
 }

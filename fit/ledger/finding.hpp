@@ -53,10 +53,6 @@ constexpr Verdict verdict_of_cases(std::size_t holding, std::size_t cases) {
   return verdict_of(holding == cases, holding > 0);
 }
 
-/// Judges a printed number by a value that is known to `error` (absolute). Empty if the two ends of value +-
-/// error have different verdicts.
-std::optional<Verdict> judge_known_to(std::string_view printed, double value, double error);
-
 /// A quantity of the record as a number. Throws std::invalid_argument if it is not a number.
 double number_of(std::string_view text);
 

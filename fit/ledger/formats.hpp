@@ -9,13 +9,14 @@
 /// The floating-point formats of records, by name.
 namespace shadefit {
 
-/// `call.template operator()<T>()` for the format of that name: half, float or double. Throws
+/// `call.template operator()<T>()` for the format of that name: half, float, double or long double. Throws
 /// std::invalid_argument for another name.
 template <class Call>
 auto in_format(std::string_view name, const Call& call) {
   if (name == "half") return call.template operator()<Eigen::half>();
   if (name == "float") return call.template operator()<float>();
   if (name == "double") return call.template operator()<double>();
+  if (name == "long double") return call.template operator()<long double>();
   throw std::invalid_argument("no format '" + std::string(name) + "'");
 }
 

@@ -92,9 +92,30 @@ class ClaimReader {
     return result;
   }
 
+  /// A list of lists of texts.
+  std::vector<Instructions::Line> lines(const toml::table& table, const std::string& key) const {
+    std::vector<Instructions::Line> result;
+    for (const toml::node* node : file_.list(table, key)) {
+      const toml::array* line = node->as_array();
+      if (line == nullptr) file_.fail(*node, fmt::format("'{}' must be a list of lists of texts", key));
+      auto& texts = result.emplace_back();
+      for (const toml::node& text : *line) texts.push_back(kept(file_.text(text, key)));
+      if (texts.size() < 2) file_.fail(*node, fmt::format("a list in '{}' has at least two texts", key));
+    }
+    return result;
+  }
+
+  Instructions instructions(const toml::table& table) const {
+    std::vector<std::string_view> verdicts;
+    for (const toml::node* node : file_.list(table, "verdict"))
+      verdicts.push_back(kept(file_.text(*node, "verdict")));
+    return {lines(table, "define"), verdicts, lines(table, "effect"), file_.flag(table, "in_50_digits")};
+  }
+
   Claim claim(const toml::table& table, const std::vector<Claim>& before) const {
-    file_.require_keys(table, {"id", "statement", "printed", "inputs", "derivation", "computed", "evidence",
-                               "figure", "source", "constants"});
+    file_.require_keys(
+        table, {"id", "statement", "printed", "inputs", "derivation", "computed", "evidence", "figure",
+                "source", "constants", "define", "verdict", "effect", "in_50_digits"});
     Claim claim{.id = required(table, "id"),
                 .statement = required(table, "statement"),
                 .printed = quantities(table, "printed"),
@@ -104,7 +125,8 @@ class ClaimReader {
                 .evidence = optional(table, "evidence"),
                 .figure = optional(table, "figure"),
                 .source = source(table),
-                .constants = constants(table)};
+                .constants = constants(table),
+                .instructions = instructions(table)};
     if (claim.printed.empty()) {
       for (const Published& constant : claim.constants)
         claim.printed.push_back({constant.parameter, constant.printed});

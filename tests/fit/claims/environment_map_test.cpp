@@ -27,7 +27,6 @@ TEST(EnvironmentMapClaims, ThePowerOfThePrintedDigits) {
   EXPECT_EQ(evaluate(claim).computed, "power = 16386");  // 4/log(1 + 4/128^2)
   EXPECT_NE(evaluate(claim).evidence.find("printed digits are those of a lobe that has fallen to e^-2"),
             std::string::npos);
-  EXPECT_EQ(verdict_of(with_printed(claim, 0, "49000")), "confirmed");  // 3 * 128^2 - 1 = 49151
 }
 
 // The solid angle of a triangle of directions a, b, c: tan(omega/2) = det(a, b, c) over

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -33,9 +34,20 @@ inline Claim with_input(Claim claim, std::string_view name, std::string_view val
   throw std::out_of_range("no input of that name");
 }
 
-inline std::string verdict_of(const Claim& claim) {
-  const auto verdict = evaluate(claim).verdict;
+/// A formula of the definitions of a claim that is data.
+inline double computed_number(Claim claim, std::string_view formula) {
+  const std::string text = "{" + std::string(formula) + ":.17g}";
+  claim.computed = text;
+  claim.evidence = "";
+  return std::stod(evaluate(claim).computed);
+}
+
+inline std::string name_of(const std::optional<Verdict>& verdict) {
   return std::string(verdict ? name(*verdict) : "undecided");
+}
+
+inline std::string verdict_of(const Claim& claim) {
+  return name_of(evaluate(claim).verdict);
 }
 
 }  // namespace shadefit

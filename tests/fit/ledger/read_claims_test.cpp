@@ -39,6 +39,10 @@ TEST(ReadClaims, AFaultIsOneLineWithItsPlace) {
            {whole + "inputs = [[\"x\"]]\n",
             "claims 'lobes', line 7: 'inputs' must be a list of pairs: a name and a value"},
            {whole + "inputs = [[\"x\", \"=sg\"]]\n", "claims 'lobes', line 7: no constant has the id 'sg'"},
+           {whole + "define = [\"x\"]\n",
+            "claims 'lobes', line 7: 'define' must be a list of lists of texts"},
+           {whole + "effect = [[\"none\"]]\n",
+            "claims 'lobes', line 7: a list in 'effect' has at least two texts"},
            {whole + "constants = [\"sg\"]\n", "claims 'lobes', line 7: no published constant has that id"}}) {
     ReadClaims claims;
     read_sources("[lagarde]\nof = \"sg-offset-k5\"\n", "sources", claims);

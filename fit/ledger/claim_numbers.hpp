@@ -1,0 +1,287 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/catalogue/family.hpp"
+#include "fit/errors/extremum.hpp"
+#include "fit/formula/parse_formula.hpp"
+#include "fit/ledger/agreement.hpp"
+#include "fit/ledger/bound_variables.hpp"
+#include "fit/ledger/formats.hpp"
+#include "fit/ledger/told.hpp"
+#include "fit/ledger/transfer_function.hpp"
+#include "fit/scalars/binary_logarithm.hpp"
+#include "fit/scalars/in_50_digits.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/support/format.hpp"
+#include "fit/support/root.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+
+/// The numbers of a claim that is data: fit/ledger/computation.hpp has the notation. T is their scalar,
+/// double or Decimal50.
+template <class T>
+class ClaimNumbers {
+ public:
+  using Line = Instructions::Line;
+  using Visit = std::function<void()>;
+
+  explicit ClaimNumbers(const Claim& claim) : claim_(claim) {
+    names_.takes_parameters = names_.takes_integrals = true;
+    for (std::size_t i = 0; i < all_verdicts.size(); ++i) {
+      std::string verdict(name(all_verdicts[i]));
+      std::ranges::replace(verdict, '-', '_');
+      given_[verdict] = T(static_cast<double>(i));
+    }
+    given_["undecided"] = -1;
+    for (const Line& line : claim.instructions.definitions) {
+      const auto open = line.at(0).find('(');
+      const std::string name(line.at(0).substr(0, open));
+      if (open == std::string_view::npos) {
+        lines_[name] = &line;
+        continue;
+      }
+      FormulaNames names = names_;
+      names.variables = items_of(line.at(0).substr(open + 1, line.at(0).size() - open - 2));
+      const std::string_view text =
+          line.at(1).starts_with('=') ? given_text(claim, line.at(1).substr(1)) : line.at(1);
+      names_.definitions.insert_or_assign(name,
+                                          Definition{names.variables, read_formula(text, names).formula});
+    }
+  }
+
+  /// The definition of that name, or null.
+  const Line* line_of(std::string_view name) const {
+    const auto found = lines_.find(name);
+    return found == lines_.end() ? nullptr : found->second;
+  }
+
+  T value(std::string_view text) {
+    const auto value_of = [&](const std::string& name) { return number(name); };
+    T result;
+    if constexpr (std::same_as<T, double>) {
+      result = evaluate<double>(formula(text), value_of);
+    } else {
+      result = in_50_digits(formula(text), value_of);
+    }
+    if (!(result - result == 0)) throw std::invalid_argument(fmt::format("'{}' has no value", text));
+    return result;
+  }
+  double rounded(std::string_view text) { return static_cast<double>(value(text)); }
+  bool holds(std::string_view condition) { return value(std::string(condition) + " ? 1 : 0") != 0; }
+
+  /// The variable of that name that is bound innermost; null if there is none.
+  const Bound<T>* bound(std::string_view name) { return bound_.find(name); }
+
+  T number(const std::string& name) {
+    if (const auto* found = bound(name)) return found->value;
+    if (const Line* line = line_of(name)) return found_by(*line).value;
+    if (const auto given = given_.find(name); given != given_.end()) return given->second;
+    const bool is_end = name.ends_with("_first") || name.ends_with("_last");
+    return given_[name] = is_end ? T(given_number(claim_, name)) : constant<T>(given_text(claim_, name));
+  }
+
+  /// Visits all places, with their variables bound.
+  void at(std::string_view places, const Visit& visit) {
+    const auto comma = places.find(", "), in = places.find(" in ");
+    const std::string name(places.substr(0, in));
+    const std::string_view range = places.substr(in + 4, comma - in - 4);
+    const Visit next =
+        comma == std::string_view::npos ? visit : [&, rest = places.substr(comma + 2)] { at(rest, visit); };
+    T index = 0;
+    if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
+      const T last = value(range.substr(dots + 4));
+      for (T i = value(range.substr(0, dots)); i <= last; i += 1) bound_.with({{name, i}}, next);
+    } else if (range == "printed") {
+      for (const Quantity& printed : claim_.printed)
+        bound_.with({{"printed_" + name, constant<T>(printed.value)}, {name, index++}}, next);
+    } else if (range == "conventions") {
+      for (const TransferFunction& t : conventions_of(claim_))
+        bound_.with({{name + "_gamma", T(t.gamma)}, {name + "_codes", T(t.codes)}, {name, index++, t.name}},
+                    next);
+    } else if (const std::string_view list = given_text(claim_, range);
+               list.find(':') != std::string_view::npos) {
+      for (const double x : parse_sweep(list)) bound_.with({{name, T(x)}}, next);
+    } else {
+      for (const std::string& item : items_of(list)) {
+        const auto number = parse_number(item.substr(item.rfind(' ') + 1));
+        bound_.with({{name, number ? T(*number) : index, item}}, next);
+        index += 1;
+      }
+    }
+  }
+
+  /// A formula as a function of the cosine `c` and of y = 1 - c; other names keep their value.
+  auto curve(std::string_view text) {
+    std::map<std::string, double> values;
+    for (const std::string& name : free_variables(formula(text))) {
+      if (name != "c" && name != "y") values[name] = static_cast<double>(number(name));
+    }
+    return [values, form = formula(text)]<class U>(const Cosine<U>& at) {
+      return evaluate<U>(form, [&](const std::string& name) {
+        return name == "c" ? at.cos_theta : name == "y" ? at.one_minus_cos : lift<U>(values.at(name));
+      });
+    };
+  }
+
+  /// A formula as a function of a variable.
+  std::function<double(double)> function(std::string_view variable, std::string formula) {
+    return [this, variable, formula = std::move(formula)](double x) {
+      double found = 0;
+      bound_.with({{std::string(variable), T(x)}}, [&] { found = rounded(formula); });
+      return found;
+    };
+  }
+
+ private:
+  const Symbolic& formula(std::string_view text) {
+    auto found = formulas_.find(text);
+    if (found == formulas_.end())
+      found = formulas_.emplace(std::string(text), read_formula(text, names_).formula).first;
+    return found->second;
+  }
+
+  struct Found {
+    T value;
+    double doubt = 0;  ///< of an integral
+  };
+
+  /// What a definition gives for the bound variables. It is kept if it needs none of them, or takes long.
+  Found found_by(const Line& line) {
+    if (const auto kept = constants_.find(line.at(0)); kept != constants_.end()) return kept->second;
+    std::vector<Bound<T>> variables;
+    if (line.size() > 2) {
+      const auto kept = kept_.find({line.at(0), bound_.all()});
+      if (kept != kept_.end()) {
+        bound_.use_all();
+        return kept->second;
+      }
+      variables = bound_.all();
+    }
+    Found found{T(0)};
+    const bool needs_variables = bound_.used_by([&] {
+      if (line.at(1) == "integral") {
+        const Integral both = integral(line);
+        found = {T(both.value), both.error};
+      } else {
+        found.value = line.size() > 2 ? searched(line) : value(line.at(1));
+      }
+    });
+    if (!needs_variables) constants_.emplace(line.at(0), found);
+    if (needs_variables && line.size() > 2) kept_.emplace(std::pair(line.at(0), variables), found);
+    return found;
+  }
+
+  /// The place where a formula is largest, as the value of another; of values equal to rounding, the first.
+  T where_largest(std::string_view places, std::string_view formula, std::string_view place) {
+    std::optional<T> most;
+    T found = 0;
+    at(places, [&] {
+      const T now = value(formula);
+      if (most && now <= *most + T(equal_extrema) * abs(*most)) return;
+      most = now;
+      found = value(place);
+    });
+    return found;
+  }
+
+  /// By the first rule, with the doubt of both.
+  Integral integral(const Line& line) {
+    constexpr double tolerance = 1e-13;
+    const std::size_t other = line.size() > 6 ? 6 : 3;
+    const Integral first = gauss_kronrod(function(line.at(2), std::string(line.at(5))), rounded(line.at(3)),
+                                         rounded(line.at(4)), tolerance);
+    const Integral second = tanh_sinh(function(line.at(2), std::string(line.at(other + 2))),
+                                      rounded(line.at(other)), rounded(line.at(other + 1)), tolerance);
+    return {first.value, first.error + second.error + std::abs(first.value - second.value)};
+  }
+
+  /// A format by its name, or by a variable that is bound to that.
+  template <class Call>
+  auto in_format_of(std::string_view name, const Call& call) {
+    const auto* variable = bound(name);
+    return in_format(variable != nullptr ? variable->text : name, call);
+  }
+
+  /// The value of a formula with every operation rounded to a format.
+  template <class Format>
+  double in(std::string_view text) {
+    return widened(evaluate<Format>(formula(text), [&](const std::string& name) {
+      return rounded_to<Format>(static_cast<double>(number(name)));
+    }));
+  }
+
+  template <class Format>
+  double last_in(const Line& line) {
+    return last_that_holds<Format>(rounded(line.at(4)), rounded(line.at(5)), [&](Format x) {
+      double found = 0;
+      bound_.with({{std::string(line.at(3)), T(widened(x))}}, [&] { found = in<Format>(line.at(6)); });
+      return found >= 0 && std::isfinite(found);
+    });
+  }
+
+  T searched(const Line& line) {
+    const std::string_view kind = line.at(1);
+    if (kind == "most") return where_largest(line.at(2), line.at(3), line.at(3));
+    if (kind == "place") return where_largest(line.at(2), line.at(3), line.at(4));
+    if (kind == "sum" || kind == "count") {
+      T sum = 0;
+      at(line.at(2), [&] { sum += kind == "sum" ? value(line.at(3)) : T(holds(line.at(3)) ? 1 : 0); });
+      return sum;
+    }
+    if (kind == "root") {
+      const auto holds_at = function(line.at(2), std::string(line.at(5)) + " ? 1 : 0");
+      return T(last_by_halving(rounded(line.at(3)), rounded(line.at(4)), 60,
+                               [&](double x) { return holds_at(x) != 0; }));
+    }
+    if (kind == "doubt") return T(found_by(*line_of(line.at(2))).doubt);
+    if (kind == "largest") return T(largest_magnitude(curve(line.at(2)), Substitution({}, {})).magnitude);
+    if (kind == "largest-at")
+      return T(largest_magnitude(curve(line.at(2)), Substitution({}, {})).at.cos_theta);
+    if (kind == "sampled") return T(largest_sampled(function(line.at(2), std::string(line.at(3)))));
+    if (kind == "optimum")
+      return T(
+          find_family(line.at(2))->fit({}, {}).parameters[static_cast<std::size_t>(number_of(line.at(3)))]);
+    if (kind == "units")
+      return T(static_cast<double>(units_off(given_text(claim_, line.at(2)), rounded(line.at(3)))));
+    if (kind == "unit") return T(last_unit(given_text(claim_, line.at(2))));
+    if (kind == "in")
+      return T(in_format_of(line.at(2), [&]<class Format>() { return in<Format>(line.at(3)); }));
+    if (kind == "last")
+      return T(in_format_of(line.at(2), [&]<class Format>() { return last_in<Format>(line); }));
+    if (kind == "least")
+      return T(in_format_of(line.at(2),
+                            []<class Format>() { return widened(std::numeric_limits<Format>::min()); }));
+    if (kind == "greatest")
+      return T(in_format_of(line.at(2),
+                            []<class Format>() { return widened(std::numeric_limits<Format>::max()); }));
+    if constexpr (!std::same_as<T, double>) {
+      static const RootsOfTwo<T> roots;
+      if (kind == "squares") return log2_by_squares(value(line.at(2)));
+      if (kind == "roots") return roots.exp2(value(line.at(2)));
+    }
+    throw std::logic_error(fmt::format("{} computes nothing by '{}'", claim_.id, kind));
+  }
+
+  const Claim& claim_;
+  FormulaNames names_;
+  std::map<std::string, const Line*, std::less<>> lines_;
+  std::map<std::string, Symbolic, std::less<>> formulas_;
+  std::map<std::string_view, Found> constants_;
+  std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
+  std::map<std::string, T, std::less<>> given_;  ///< numbers of the record, and those of verdicts
+  BoundVariables<T> bound_;
+};
+
+}  // namespace shadefit
