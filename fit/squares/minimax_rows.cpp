@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -10,8 +13,9 @@
 #include "fit/squares/rules.hpp"
 #include "fit/steps/digits.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
+#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/decompositions.hpp"
 
@@ -131,10 +135,8 @@ bool is_lower(const LeveledFit& a, const LeveledFit& b) {
   return false;
 }
 
-}  // namespace
-
-StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& starts,
-                            const Checkpoint& checkpoint) {
+/// The lowest of the fits from all basins of the search.
+LeveledFit lowest_fit(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {}, starts, checkpoint);
   const StudyNodes nodes = nodes_of(study, {}, 1);
@@ -151,14 +153,92 @@ StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& sta
         (!is_lower(*lowest, found) && is_slower_wave(found.fit.parameters, lowest->fit.parameters));
     if (is_better) lowest = std::move(found);
   }
-  StudyFit best = std::move(lowest->fit);
-  best.names = study.parameters;
-  best.starts = searched.starts;
-  best.is_global = searched.is_linear;
+  lowest->fit.names = study.parameters;
+  lowest->fit.starts = searched.starts;
+  lowest->fit.is_global = searched.is_linear;
+  return *std::move(lowest);
+}
+
+/// Of each block of rows the one with the largest error, if that is above a level: the worst ones.
+std::vector<std::size_t> rows_above(const SampledStudy<double>& sampled,
+                                    const std::vector<double>& parameters, double level) {
+  constexpr std::size_t most = 200;
+  struct Worst {
+    double size = -1;
+    std::size_t row = 0;
+  };
+  std::vector<Worst> worst = sampled.of_blocks([&](std::size_t number, const SampledStudy<double>& block) {
+    VectorOf<double> errors;
+    block.errors(parameters, errors, nullptr);
+    Worst found;
+    for (Eigen::Index i = 0; i < errors.size(); ++i) {
+      const double size = std::isnan(errors[i]) ? HUGE_VAL : std::abs(errors[i]);
+      if (size > found.size)
+        found = {size, number * SampledStudy<double>::rows_in_block + static_cast<std::size_t>(i)};
+    }
+    return found;
+  });
+  std::erase_if(worst, [&](const Worst& one) { return !(one.size > level); });
+  std::ranges::stable_sort(worst, std::ranges::greater(), &Worst::size);
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < std::min(most, worst.size()); ++i) rows.push_back(worst[i].row);
+  return rows;
+}
+
+ReadStudy with_rows(ReadStudy study, const std::vector<std::size_t>& rows) {
+  MeasuredRows some{study.rows->file, {}, {}, {}};
+  const auto pick = [&](const std::vector<double>& column) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < column.size() && i < rows.size(); ++i) result.push_back(column[rows[i]]);
+    return result;
+  };
+  for (const auto& places : study.rows->places) some.places.push_back(pick(places));
+  some.value = pick(study.rows->value);
+  some.sigma = pick(study.rows->sigma);
+  study.rows = std::make_shared<const MeasuredRows>(std::move(some));
+  return study;
+}
+
+/// The fit of some rows, to which the rows above its level come until there are none. The level of some rows
+/// is never above that of all.
+LeveledFit exchanged_fit(const ReadStudy& study, const std::vector<Held>& starts,
+                         const Checkpoint& checkpoint) {
+  constexpr std::size_t first = 2000;
+  constexpr int most_rounds = 50;
+  constexpr double same_level = 1e-9, rounding = 2e-15;
+  const StudyError error(study);
+  const StudyNodes nodes = nodes_of(study, {}, 1);
+  require_values(study, nodes);
+  const SampledStudy<double> sampled(error, nodes);
+  std::vector<std::size_t> rows = drawn_nodes(sampled.size(), first);
+  for (int round = 0; round < most_rounds; ++round) {
+    LeveledFit found = lowest_fit(with_rows(study, rows), starts, checkpoint);
+    if (found.fit.status != Status::converged) return found;
+    const double level = found.levels.back() * (1 + same_level) + rounding * sampled.target_norm();
+    const std::size_t before = rows.size();
+    std::ranges::copy(rows_above(sampled, found.fit.parameters, level), std::back_inserter(rows));
+    std::ranges::sort(rows);
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    if (rows.size() == before) return found;
+  }
+  LeveledFit none;
+  none.fit.names = study.parameters;
+  none.fit.why = "more rows than can be exchanged are above its level";
+  return none;
+}
+
+}  // namespace
+
+StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& starts,
+                            const Checkpoint& checkpoint) {
+  const bool has_many = study.rows->value.size() > most_copied_rows;
+  LeveledFit lowest = (has_many ? exchanged_fit : lowest_fit)(study, starts, checkpoint);
+  StudyFit best = std::move(lowest.fit);
   if (best.status != Status::converged) return best;
   // A later level keeps the rows of an earlier one at its minimum. There a rounding of the level moves the
   // parameters by its square root, and Newton's last step does not see that.
-  if (lowest->levels.size() > 1) best.digits = std::min(best.digits, most_digits / 2);
+  if (lowest.levels.size() > 1) best.digits = std::min(best.digits, most_digits / 2);
+  const StudyError error(study);
   best.rms_error = rms_error(study, error, best.parameters);
   best.max_abs_error = largest_residual(study, best.parameters);
   confirm_integrals(study, best);

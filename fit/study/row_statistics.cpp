@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "fit/steps/levenberg.hpp"
+#include "fit/steps/newton.hpp"
 #include "fit/study/projection.hpp"
+#include "fit/support/decompositions.hpp"
 #include "fit/support/root.hpp"
 
 namespace shadefit {
@@ -28,9 +30,8 @@ bool is_inverse_sigma(const ReadStudy& study, const StudyNodes& nodes) {
 Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes,
                                 const std::vector<double>& parameters) {
   const SampledStudy<long double> sampled(error, nodes);
-  VectorOf<long double> errors;
-  MatrixOf<long double> slopes;
-  sampled.errors(std::vector<long double>(parameters.begin(), parameters.end()), errors, &slopes);
+  const MatrixOf<long double> slopes =
+      sampled.reduced(std::vector<long double>(parameters.begin(), parameters.end())).slopes;
   const VectorOf<long double> shrink = slopes.colwise().norm().cwiseInverse().transpose();
   const Eigen::HouseholderQR<MatrixOf<long double>> qr(slopes * shrink.asDiagonal());
   const auto n = slopes.cols();
@@ -157,6 +158,42 @@ Vector tangent_of(const RowStatistics& statistics, const std::vector<std::size_t
   return tangent;
 }
 
+/// An end of a profile by Newton's method on its equations, for rows of which each pass takes long: the sum
+/// of squares has grown from `least` by `growth`, and its derivatives by the other parameters are 0. Empty if
+/// that does not settle near the standard error. Source: Venzon, Moolgavkar 1988, "A Method for Computing
+/// Profile-Likelihood-Based Confidence Intervals", Applied Statistics 37.
+std::optional<double> end_by_newton(const SampledStudy<double>& sampled, const RowStatistics& statistics,
+                                    const std::vector<double>& optimum, double least, double growth,
+                                    std::size_t parameter, double direction) {
+  constexpr int most_steps = 8;
+  constexpr double last_step = 1e-6, nearest = 0.5, furthest = 2;  // in standard errors
+  const auto count = static_cast<Eigen::Index>(optimum.size()), held = static_cast<Eigen::Index>(parameter);
+  const Vector units = vector_of(statistics.standard_errors);
+  Vector at(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    at[i] =
+        direction * statistics.covariance[parameter][static_cast<std::size_t>(i)] / (units[i] * units[held]);
+  for (int step = 0; step < most_steps; ++step) {
+    const std::vector<double> place = moved_by<double>(at.cwiseProduct(units), optimum);
+    const auto sums = sampled.derivatives(place);
+    const double share = static_cast<double>(sampled.size()) / growth;
+    Matrix equations = share * (units.asDiagonal() * sums.hessian * units.asDiagonal());
+    Vector excess = share * units.cwiseProduct(sums.gradient);
+    Matrix others = equations;
+    others.row(held).setZero();
+    others.col(held) = Vector::Unit(count, held);
+    equations.row(held) = 2 * excess.transpose();
+    excess[held] = share * sums.square - least / growth - 1;
+    const Vector moved = shortest_solution(equations, excess);
+    if (!moved.allFinite() || !is_minimum(others) || sampled.has_pole(place)) return std::nullopt;
+    at -= moved;
+    if (moved.cwiseAbs().maxCoeff() > last_step) continue;
+    const double distance = direction * at[held];
+    return nearest < distance && distance < furthest ? std::optional(at[held]) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyError& error,
@@ -180,14 +217,23 @@ std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyE
   constexpr double resolution = 1e-8;  // of the search for an end: a smaller one is 0
   for (std::size_t i = 0; i < count; ++i) {
     const HeldSquare problem(error, sampled, parameters, result.standard_errors, i);
-    Profile profile(problem, tangent_of(result, problem.unknowns(), i), growth);
+    std::optional<Profile> profile;
+    const auto end_towards = [&](double direction) {
+      if (nodes.rows) {
+        const double least = square * static_cast<double>(rows);
+        if (const auto found = end_by_newton(sampled, result, parameters, least, growth, i, direction))
+          return found;
+      }
+      if (!profile) profile.emplace(problem, tangent_of(result, problem.unknowns(), i), growth);
+      return profile->end(direction);
+    };
     ProfileInterval interval;
     const auto place = [&](double distance) {
       const double step = result.standard_errors[i] * distance, end = parameters[i] + step;
       return std::abs(end) <= resolution * std::abs(step) ? 0 : end;
     };
-    if (const auto lower = profile.end(-1)) interval.lower = place(*lower);
-    if (const auto upper = profile.end(1)) interval.upper = place(*upper);
+    if (const auto lower = end_towards(-1)) interval.lower = place(*lower);
+    if (const auto upper = end_towards(1)) interval.upper = place(*upper);
     result.profiles.push_back(interval);
   }
   return result;

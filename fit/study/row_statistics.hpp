@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/study/study_problem.hpp"
+#include "fit/study/sampled_study.hpp"
 
 /// How well measured rows determine the parameters of a fit.
 namespace shadefit {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <random>
 #include <set>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 #include "fit/scalars/integral.hpp"
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/study/axis_nodes.hpp"
+#include "fit/support/parallel.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -308,12 +310,14 @@ std::vector<StudyEdge> with_corners(const ReadStudy& study, std::vector<StudyEdg
   return edges;
 }
 
-StudyNodes nodes_of_rows(const MeasuredRows& rows) {
+StudyNodes nodes_of_rows(const std::shared_ptr<const MeasuredRows>& rows) {
   StudyNodes nodes;
-  for (const auto& places : rows.places) nodes.coordinates.emplace_back(places.begin(), places.end());
-  nodes.coordinates.emplace_back(rows.value.begin(), rows.value.end());
-  if (!rows.sigma.empty()) nodes.coordinates.emplace_back(rows.sigma.begin(), rows.sigma.end());
-  nodes.weights.assign(rows.value.size(), 1.0L / static_cast<long double>(rows.value.size()));
+  if (rows->value.size() > most_copied_rows) {
+    nodes.rows = rows;
+    return nodes;
+  }
+  for (const auto* column : columns_of(*rows)) nodes.coordinates.emplace_back(column->begin(), column->end());
+  nodes.weights.assign(rows->value.size(), 1.0L / static_cast<long double>(rows->value.size()));
   return nodes;
 }
 
@@ -411,20 +415,56 @@ bool is_one(const Symbolic& formula) {
 
 std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula,
                                     const StudyNodes& nodes) {
-  TapeProgram<double> program(tape_of(formula, node_variables(study)), {});
-  std::vector<double> values, place(nodes.coordinates.size());
-  values.reserve(nodes.weights.size());
-  for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
-    for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<double>(nodes.coordinates[i][n]);
-    program.run(place);
-    values.push_back(program.output(0));
+  const Tape tape = tape_of(formula, node_variables(study));
+  std::vector<double> values(nodes.size());
+  const auto run = [&](const auto& columns, std::size_t first, std::size_t last) {
+    TapeProgram<double> program(tape, {});
+    std::vector<double> place(columns.size());
+    for (std::size_t n = first; n < last; ++n) {
+      for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<double>((*columns[i])[n]);
+      program.run(place);
+      values[n] = program.output(0);
+    }
+  };
+  if (!nodes.rows) {
+    std::vector<const std::vector<long double>*> columns;
+    for (const auto& column : nodes.coordinates) columns.push_back(&column);
+    run(columns, 0, values.size());
+    return values;
   }
+  constexpr std::size_t block = most_copied_rows;
+  for_each_in_parallel((values.size() + block - 1) / block, [&](std::size_t i, const Checkpoint&) {
+    run(columns_of(*nodes.rows), i * block, std::min((i + 1) * block, values.size()));
+  });
   return values;
+}
+
+std::vector<std::size_t> drawn_nodes(std::size_t count, std::size_t drawn) {
+  std::minstd_rand random;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < drawn; ++k) {
+    const std::size_t begin = k * count / drawn, end = (k + 1) * count / drawn;
+    places.push_back(begin + random() % (end - begin));
+  }
+  return places;
+}
+
+StudyNodes picked(const StudyNodes& nodes, const std::vector<std::size_t>& places) {
+  StudyNodes result;
+  const auto pick = [&](const auto& column) {
+    std::vector<long double>& of_places = result.coordinates.emplace_back();
+    for (const std::size_t place : places) of_places.push_back(column[place]);
+  };
+  if (nodes.rows)
+    for (const auto* column : columns_of(*nodes.rows)) pick(*column);
+  for (const auto& column : nodes.coordinates) pick(column);
+  result.weights.assign(places.size(), 1.0L / static_cast<long double>(places.size()));
+  return result;
 }
 
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                     unsigned rule_size) {
-  if (study.rows) return nodes_of_rows(*study.rows);
+  if (study.rows) return nodes_of_rows(study.rows);
   StudyNodes nodes{{}, {1.0L}, 1};
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     std::vector<MixedHinge> mixed = mixed_hinges(study, i);

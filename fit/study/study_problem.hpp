@@ -2,16 +2,13 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "fit/formula/batch.hpp"
 #include "fit/steps/sums.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study/study_nodes.hpp"
 
-/// The error of a study as tapes, and its sums over nodes.
+/// The error of a study as tapes.
 namespace shadefit {
 
 template <class T>
@@ -69,64 +66,5 @@ class StudyError {
   StagedTape gradient_, hessian_, target_;
   std::vector<StagedTape> denominators_;
 };
-
-/// The error at nodes. One thread uses it at a time.
-template <class T>
-class SampledStudy {
- public:
-  /// Keeps a pointer to the error.
-  SampledStudy(const StudyError& error, const StudyNodes& nodes);
-
-  std::size_t size() const { return weights_.size(); }
-  std::size_t parameter_count() const { return count_; }
-  /// sqrt(weight) of each node.
-  const VectorOf<T>& roots() const { return roots_; }
-
-  /// The errors at the nodes, and if `slopes` is not null a column of their derivatives for each parameter.
-  void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
-
-  /// The sums of weight * u * v over the nodes, for u and v of these columns. Column i is the derivative by
-  /// parameter i; the column after the last parameter is the error. In double only.
-  void products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
-                ProductMatrix<T>& result) const;
-
-  T square(std::span<const T> parameters) const;
-  /// Without the Hessian.
-  Sums<T> gradient(std::span<const T> parameters) const;
-  Sums<T> derivatives(std::span<const T> parameters) const;
-  /// The sum of share * (second derivatives of the error) over the nodes, with a share for each.
-  MatrixOf<T> curvature(std::span<const T> parameters, std::span<const T> shares) const;
-
-  /// The root mean square of the error of a form that is 0: the scale of the problem.
-  T target_norm() const;
-
-  /// Whether a denominator of the form vanishes or changes its sign between nodes.
-  bool has_pole(std::span<const T> parameters) const;
-
- private:
-  using S = typename Batch<T>::S;
-
-  T lane(const std::vector<S>& results, std::size_t row, std::size_t node) const;
-  const Batch<T>& hessian() const;
-
-  const StudyError* error_;
-  std::size_t count_;
-  std::vector<std::vector<T>> coordinates_;
-  std::vector<T> weights_;
-  std::vector<S> packed_weights_;  ///< 0 for a node that is repeated
-  VectorOf<T> roots_;
-  Batch<T> gradient_;
-  std::vector<Batch<T>> denominators_;
-  // When first needed: many rules are only for the errors.
-  mutable std::optional<Batch<T>> hessian_;
-  mutable std::optional<T> target_norm_;
-};
-
-template <>
-void SampledStudy<double>::products(std::span<const double> parameters, std::span<const Eigen::Index> columns,
-                                    ProductMatrix<double>& result) const;
-
-extern template class SampledStudy<double>;
-extern template class SampledStudy<long double>;
 
 }  // namespace shadefit

@@ -61,7 +61,7 @@ double mean_error(const ReadStudy& study, const std::vector<double>& parameters)
   const StudyNodes nodes = nodes_for(study, error);
   const std::vector<double> errors = values_at_nodes(study, error, nodes);
   long double sum = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) sum += nodes.weights[i] * std::abs(errors[i]);
+  for (std::size_t i = 0; i < errors.size(); ++i) sum += nodes.weight(i) * std::abs(errors[i]);
   return static_cast<double>(sum);
 }
 
