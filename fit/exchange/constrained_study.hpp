@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/study_fit.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/support/user_error.hpp"
 

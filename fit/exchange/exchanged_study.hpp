@@ -5,7 +5,7 @@
 
 #include "fit/panels/panel_curve.hpp"
 #include "fit/steps/minimax.hpp"
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 

@@ -16,8 +16,8 @@
 #include "fit/steps/minimax.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

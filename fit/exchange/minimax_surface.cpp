@@ -14,8 +14,8 @@
 #include "fit/squares/rules.hpp"
 #include "fit/steps/digits.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {

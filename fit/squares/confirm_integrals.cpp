@@ -6,9 +6,9 @@
 #include "fit/scalars/integral.hpp"
 #include "fit/squares/rules.hpp"
 #include "fit/steps/digits.hpp"
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
+#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "fit/steps/scaled_hessian.hpp"
 #include "fit/support/decompositions.hpp"
@@ -23,13 +22,11 @@ std::vector<StudyCandidate> best_of(const std::vector<StudyCandidate>& candidate
 }
 
 bool is_same_curve(const SampledStudy<double>& sampled, const StudyCandidate& a, const StudyCandidate& b) {
-  const std::vector<double> squares = sampled.of_blocks([&](std::size_t, const SampledStudy<double>& block) {
-    VectorOf<double> first, second;
-    block.errors(a.parameters, first, nullptr);
-    block.errors(b.parameters, second, nullptr);
-    return (first - second).cwiseAbs2().dot(block.roots().cwiseAbs2());
-  });
-  const double distance = std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
+  if (a.parameters == b.parameters) return true;
+  VectorOf<double> first, second;
+  sampled.errors(a.parameters, first, nullptr);
+  sampled.errors(b.parameters, second, nullptr);
+  const double distance = std::sqrt((first - second).cwiseAbs2().dot(sampled.roots().cwiseAbs2()));
   return distance <= 1e-5 * std::max(sampled.target_norm(), std::sqrt(a.square));
 }
 

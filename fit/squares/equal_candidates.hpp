@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study/study_problem.hpp"
 
 /// Candidates that are as good as each other, and which of them is the answer.
 namespace shadefit {

@@ -14,6 +14,17 @@ namespace {
 using Vector = VectorOf<double>;
 using Matrix = MatrixOf<double>;
 
+StudyNodes nodes_of_level(const StudyNodes& all, const std::vector<LevelRow>& rows) {
+  StudyNodes nodes;
+  for (const auto& column : all.coordinates) {
+    std::vector<long double> of_rows;
+    for (const LevelRow& row : rows) of_rows.push_back(column[row.row]);
+    nodes.coordinates.push_back(std::move(of_rows));
+  }
+  nodes.weights.assign(rows.size(), 1.0L / static_cast<long double>(rows.size()));
+  return nodes;
+}
+
 class LevelSystem {
  public:
   LevelSystem(const LevelPoints& points, const Matrix& steps, double unit, PolishedLevel& at)
@@ -144,9 +155,7 @@ class LevelSystem {
 
 LevelPoints points_of_rows(const StudyError& error, const StudyNodes& all_rows,
                            const std::vector<LevelRow>& rows) {
-  std::vector<std::size_t> places;
-  for (const LevelRow& row : rows) places.push_back(row.row);
-  const StudyNodes nodes = picked(all_rows, places);
+  const StudyNodes nodes = nodes_of_level(all_rows, rows);
   const auto sampled = std::make_shared<SampledStudy<double>>(error, nodes);
   const auto wide = std::make_shared<SampledStudy<long double>>(error, nodes);
   return {[sampled](std::span<const double> parameters, Vector& errors, Matrix& slopes) {

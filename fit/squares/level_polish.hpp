@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 
 /// The end of a minimax fit: Newton's method on its conditions of optimality.
 namespace shadefit {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fit/formula/tape_in_50_digits.hpp"
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decompositions.hpp"
 
 namespace shadefit {

@@ -14,8 +14,8 @@
 #include "fit/steps/digits.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/decompositions.hpp"
 
@@ -159,44 +159,23 @@ LeveledFit lowest_fit(const ReadStudy& study, const std::vector<Held>& starts, c
   return *std::move(lowest);
 }
 
-/// Of each block of rows the one with the largest error, if that is above a level: the worst ones.
+/// Of each stretch of rows the one with the largest error, if that is above a level: the worst ones.
 std::vector<std::size_t> rows_above(const SampledStudy<double>& sampled,
                                     const std::vector<double>& parameters, double level) {
   constexpr std::size_t most = 200;
-  struct Worst {
-    double size = -1;
-    std::size_t row = 0;
-  };
-  std::vector<Worst> worst = sampled.of_blocks([&](std::size_t number, const SampledStudy<double>& block) {
-    VectorOf<double> errors;
-    block.errors(parameters, errors, nullptr);
-    Worst found;
-    for (Eigen::Index i = 0; i < errors.size(); ++i) {
-      const double size = std::isnan(errors[i]) ? HUGE_VAL : std::abs(errors[i]);
-      if (size > found.size)
-        found = {size, number * SampledStudy<double>::rows_in_block + static_cast<std::size_t>(i)};
-    }
-    return found;
-  });
-  std::erase_if(worst, [&](const Worst& one) { return !(one.size > level); });
-  std::ranges::stable_sort(worst, std::ranges::greater(), &Worst::size);
+  constexpr Eigen::Index stretch = 4096;
+  VectorOf<double> errors;
+  sampled.errors(parameters, errors, nullptr);
+  std::vector<std::pair<double, std::size_t>> worst;
+  for (Eigen::Index first = 0, row = 0; first < errors.size(); first += stretch) {
+    const auto own = errors.segment(first, std::min(stretch, errors.size() - first)).array();
+    const double largest = own.isNaN().select(HUGE_VAL, own.abs()).maxCoeff(&row);
+    if (largest > level) worst.emplace_back(largest, static_cast<std::size_t>(first + row));
+  }
+  std::ranges::sort(worst, std::greater());
   std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < std::min(most, worst.size()); ++i) rows.push_back(worst[i].row);
+  for (std::size_t i = 0; i < std::min(most, worst.size()); ++i) rows.push_back(worst[i].second);
   return rows;
-}
-
-ReadStudy with_rows(ReadStudy study, const std::vector<std::size_t>& rows) {
-  MeasuredRows some{study.rows->file, {}, {}, {}};
-  const auto pick = [&](const std::vector<double>& column) {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < column.size() && i < rows.size(); ++i) result.push_back(column[rows[i]]);
-    return result;
-  };
-  for (const auto& places : study.rows->places) some.places.push_back(pick(places));
-  some.value = pick(study.rows->value);
-  some.sigma = pick(study.rows->sigma);
-  study.rows = std::make_shared<const MeasuredRows>(std::move(some));
-  return study;
 }
 
 /// The fit of some rows, to which the rows above its level come until there are none. The level of some rows
@@ -205,16 +184,19 @@ LeveledFit exchanged_fit(const ReadStudy& study, const std::vector<Held>& starts
                          const Checkpoint& checkpoint) {
   constexpr std::size_t first = 2000;
   constexpr int most_rounds = 50;
-  constexpr double same_level = 1e-9, rounding = 2e-15;
+  constexpr double rounding = 2e-15;
   const StudyError error(study);
   const StudyNodes nodes = nodes_of(study, {}, 1);
   require_values(study, nodes);
   const SampledStudy<double> sampled(error, nodes);
-  std::vector<std::size_t> rows = drawn_nodes(sampled.size(), first);
+  std::vector<std::size_t> rows = drawn_from(sampled.size(), first);
   for (int round = 0; round < most_rounds; ++round) {
-    LeveledFit found = lowest_fit(with_rows(study, rows), starts, checkpoint);
+    ReadStudy some = study;
+    some.rows = std::make_shared<const MeasuredRows>(some_of(*study.rows, rows));
+    LeveledFit found = lowest_fit(some, starts, checkpoint);
     if (found.fit.status != Status::converged) return found;
-    const double level = found.levels.back() * (1 + same_level) + rounding * sampled.target_norm();
+    const double level =
+        found.levels.back() + rounding * std::max(found.levels.front(), sampled.target_norm());
     const std::size_t before = rows.size();
     std::ranges::copy(rows_above(sampled, found.fit.parameters, level), std::back_inserter(rows));
     std::ranges::sort(rows);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "fit/quadrature/fit_rules.hpp"
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
+#include "fit/study/study_problem.hpp"
 
 /// The quadrature rules of a study, from a small one to a large one.
 namespace shadefit {

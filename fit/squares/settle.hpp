@@ -1,9 +1,9 @@
 #pragma once
 
 #include "fit/squares/rules.hpp"
-#include "fit/study/sampled_study.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_fit.hpp"
+#include "fit/study/study_problem.hpp"
 
 /// From the basin of a search to the optimum, with the digits that are right: three ways, by the form.
 namespace shadefit {

@@ -11,7 +11,7 @@
 #include "fit/formula/batch.hpp"
 #include "fit/formula/tape_program.hpp"
 #include "fit/scalars/hinges.hpp"
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 namespace {
@@ -322,25 +322,15 @@ StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>
   plain.weight = Symbolic::number("1");
   plain.error = Error::absolute;
   const StudyError error(plain);
-  const SampledStudy<double> sampled(error, nodes_of(plain, {}, 1));
-  const auto sizes_in = [&](const SampledStudy<double>& block) -> VectorOf<double> {
-    VectorOf<double> errors;
-    block.errors(parameters, errors, nullptr);
-    return errors.cwiseAbs();
-  };
-  const std::vector<double> of_blocks = sampled.of_blocks(
-      [&](std::size_t, const SampledStudy<double>& block) { return sizes_in(block).maxCoeff(); });
-  StudyExtremum largest{*std::ranges::max_element(of_blocks), {}};
+  VectorOf<double> errors;
+  SampledStudy<double>(error, nodes_of(plain, {}, 1)).errors(parameters, errors, nullptr);
+  StudyExtremum largest{errors.cwiseAbs().maxCoeff(), {}};
   // Of equal rows, as in a minimax fit, the first one counts: which one is largest is rounding.
   constexpr double equal = 1e-9;
-  const auto is_less = [&](double size) { return size < largest.magnitude * (1 - equal); };
-  const auto block = std::ranges::find_if_not(of_blocks, is_less) - of_blocks.begin();
-  const VectorOf<double> sizes = sizes_in(sampled.block(static_cast<std::size_t>(block)));
-  const auto in_block = std::find_if_not(sizes.begin(), sizes.end(), is_less) - sizes.begin();
-  const auto row = static_cast<std::size_t>(block) * SampledStudy<double>::rows_in_block +
-                   static_cast<std::size_t>(in_block);
-  for (const auto& places : study.rows->places) largest.at.push_back(places[row]);
-  largest.row = row + 1;
+  Eigen::Index row = 0;
+  while (std::abs(errors[row]) < largest.magnitude * (1 - equal)) ++row;
+  for (const auto& places : study.rows->places) largest.at.push_back(places[static_cast<std::size_t>(row)]);
+  largest.row = static_cast<std::size_t>(row) + 1;
   return largest;
 }
 

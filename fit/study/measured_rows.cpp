@@ -1,6 +1,7 @@
 #include "fit/study/measured_rows.hpp"
 
 #include <algorithm>
+#include <random>
 #include <string_view>
 #include <utility>
 
@@ -164,6 +165,27 @@ class RowReader {
 };
 
 }  // namespace
+
+std::vector<std::size_t> drawn_from(std::size_t count, std::size_t drawn) {
+  std::minstd_rand random;
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < drawn; ++k) {
+    const std::size_t begin = k * count / drawn, end = (k + 1) * count / drawn;
+    rows.push_back(begin + random() % (end - begin));
+  }
+  return rows;
+}
+
+MeasuredRows some_of(const MeasuredRows& all, const std::vector<std::size_t>& rows) {
+  MeasuredRows some = {
+      .file = all.file, .places = {all.places.size(), std::vector<double>{}}, .header = all.header};
+  for (const std::size_t row : rows) {
+    for (std::size_t i = 0; i < all.places.size(); ++i) some.places[i].push_back(all.places[i][row]);
+    some.value.push_back(all.value[row]);
+    if (!all.sigma.empty()) some.sigma.push_back(all.sigma[row]);
+  }
+  return some;
+}
 
 MeasuredRows read_measured_rows(const TextParts& text, const std::string& file,
                                 const std::vector<std::string>& variables, const std::string& measured) {

@@ -15,10 +15,18 @@ namespace shadefit {
 struct MeasuredRows {
   OthersText file;                          ///< its name, for messages
   std::vector<std::vector<double>> places;  ///< the values of each variable
-  std::vector<double> value;
-  std::vector<double> sigma;  ///< the standard deviation of each value; empty if the file does not have it
-  std::size_t header = 1;     ///< the line that names the columns
+  std::vector<double> value = {};
+  std::vector<double> sigma =
+      {};                  ///< the standard deviation of each value; empty if the file does not have it
+  std::size_t header = 1;  ///< the line that names the columns
 };
+
+/// One row from each of so many equal stretches of `count` rows, rising, from 0. The generator is
+/// std::minstd_rand, whose numbers the standard fixes, so each machine draws the same.
+std::vector<std::size_t> drawn_from(std::size_t count, std::size_t drawn);
+
+/// Some of the rows, from 0.
+MeasuredRows some_of(const MeasuredRows& all, const std::vector<std::size_t>& rows);
 
 /// The most bytes of a file of rows, and the most rows.
 inline constexpr std::uintmax_t most_row_bytes = 1 << 30;

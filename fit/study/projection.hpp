@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 
 /// Least squares without the parameters that enter linearly.
 namespace shadefit {

@@ -1,4 +1,4 @@
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -15,14 +15,17 @@ std::vector<std::vector<T>> narrowed(const std::vector<std::vector<long double>>
   return result;
 }
 
-/// The triangle R of Q R, or what it has of rows.
-template <class T>
-MatrixOf<T> upper_triangle(const MatrixOf<T>& columns) {
-  const Eigen::Index rows = std::min(columns.rows(), columns.cols());
-  return Eigen::HouseholderQR<MatrixOf<T>>(columns)
-      .matrixQR()
-      .topRows(rows)
-      .template triangularView<Eigen::Upper>();
+/// Calls `work` for the nodes of a batch in their order, with the number of each and what reads its outputs.
+template <class T, class Work>
+void for_each_node(const Batch<T>& batch, std::span<const T> parameters, const Work& work) {
+  constexpr std::size_t lanes = Batch<T>::lanes;
+  batch.visit(parameters, [&](std::size_t first, std::size_t count, const auto& outputs) {
+    const std::size_t end = std::min((first + count) * lanes, batch.nodes());
+    for (std::size_t node = first * lanes; node < end; ++node) {
+      const std::size_t pack = node / lanes - first;
+      work(node, [&](std::size_t i) -> T { return Batch<T>::Lanes::lane(outputs[i][pack], node % lanes); });
+    }
+  });
 }
 
 }  // namespace
@@ -36,18 +39,32 @@ SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes, 
 
 template <class T>
 SampledStudy<T> SampledStudy<T>::block(std::size_t number) const {
-  if (!rows_) return {*error_, coordinates_, weights_};
   const std::size_t first = number * rows_in_block, count = std::min(rows_in_block, size() - first);
   std::vector<std::vector<T>> coordinates;
+  coordinates.reserve(most_axes + 2);
   for (const std::vector<double>* column : columns_of(*rows_))
     coordinates.emplace_back(column->data() + first, column->data() + first + count);
   return {*error_, std::move(coordinates), std::vector<T>(count, 1 / static_cast<T>(size()))};
 }
 
 template <class T>
+template <class Work>
+auto SampledStudy<T>::sum_of_blocks(const Work& work) const {
+  if (!rows_) return work(Eigen::Index{0}, *this);
+  std::vector<decltype(work(Eigen::Index{0}, *this))> of_blocks(blocks());
+  const auto add = [&](std::size_t i, const Checkpoint&) {
+    of_blocks[i] = work(static_cast<Eigen::Index>(i * rows_in_block), block(i));
+  };
+  for_each_in_parallel(of_blocks.size(), add, {.threads = threads_});
+  for (std::size_t i = 1; i < of_blocks.size(); ++i) of_blocks.front() += of_blocks[i];
+  return of_blocks.front();
+}
+
+template <class T>
 VectorOf<T> SampledStudy<T>::roots() const {
-  return Eigen::Map<const VectorOf<T>>(weights_.data(), static_cast<Eigen::Index>(weights_.size()))
-      .cwiseSqrt();
+  const auto count = static_cast<Eigen::Index>(size());
+  if (rows_) return VectorOf<T>::Constant(count, std::sqrt(1 / static_cast<T>(size())));
+  return Eigen::Map<const VectorOf<T>>(weights_.data(), count).cwiseSqrt();
 }
 
 template <class T>
@@ -59,15 +76,15 @@ const Batch<T>& SampledStudy<T>::batch(std::optional<Batch<T>>& kept, const Stag
 template <class T>
 T SampledStudy<T>::target_norm() const {
   if (!target_norm_) {
-    target_norm_ = std::sqrt(sum_of_blocks([&](std::size_t, const SampledStudy& block) {
-      std::vector<S> target;
-      Batch<T>(error_->target(), block.coordinates_)(std::vector<T>(count_), target);
+    target_norm_ = std::sqrt(sum_of_blocks([&](Eigen::Index, const SampledStudy& block) {
       T square = 0;
-      for (std::size_t i = 0; i < block.size(); ++i) {
-        const T value = block.lane(target, 0, i);
-        if (std::isfinite(value))
-          square += block.weights_[i] * value * value;  // a residual may overflow there
-      }
+      const std::vector<T> none(count_);
+      for_each_node<T>(Batch<T>(error_->target(), block.coordinates_), none,
+                       [&](std::size_t node, const auto& output) {
+                         const T value = output(0);
+                         // A residual may overflow there.
+                         if (std::isfinite(value)) square += block.weights_[node] * value * value;
+                       });
       return square;
     }));
   }
@@ -75,56 +92,48 @@ T SampledStudy<T>::target_norm() const {
 }
 
 template <class T>
-T SampledStudy<T>::lane(const std::vector<S>& results, std::size_t row, std::size_t node) const {
-  constexpr std::size_t lanes = Batch<T>::lanes;
-  const std::size_t packs = Batch<T>::packs_of(size());
-  return Batch<T>::Lanes::lane(results[row * packs + node / lanes], node % lanes);
-}
-
-template <class T>
 void SampledStudy<T>::errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const {
   errors.resize(static_cast<Eigen::Index>(size()));
   if (slopes != nullptr) slopes->resize(errors.size(), static_cast<Eigen::Index>(count_));
-  of_blocks([&](std::size_t number, const SampledStudy& block) {
-    std::vector<S> results;
-    block.gradient()(parameters, results);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(number * rows_in_block + i);
-      errors[row] = block.lane(results, 0, i);
+  sum_of_blocks([&](Eigen::Index first, const SampledStudy& block) {
+    for_each_node(block.gradient(), parameters, [&](std::size_t node, const auto& output) {
+      const Eigen::Index row = first + static_cast<Eigen::Index>(node);
+      errors[row] = output(0);
       for (std::size_t j = 0; slopes != nullptr && j < count_; ++j)
-        (*slopes)(row, static_cast<Eigen::Index>(j)) = block.lane(results, 1 + j, i);
-    }
+        (*slopes)(row, static_cast<Eigen::Index>(j)) = output(1 + j);
+    });
     return 0;
   });
 }
 
 template <class T>
 WeightedErrors<T> SampledStudy<T>::reduced(std::span<const T> parameters) const {
-  WeightedErrors<T> result;
+  WeightedErrors<T> all;
   if (!rows_) {
-    errors(parameters, result.errors, &result.slopes);
-    result.roots = roots();
-    return result;
+    errors(parameters, all.errors, &all.slopes);
+    all.roots = roots();
+    return all;
   }
-  const auto triangles = of_blocks([&](std::size_t, const SampledStudy& block) {
-    const WeightedErrors<T> of_block = block.reduced(parameters);
-    MatrixOf<T> columns(of_block.slopes.rows(), of_block.slopes.cols() + 1);
-    columns << of_block.slopes, of_block.errors;
-    return upper_triangle(columns);
+  const auto n = static_cast<Eigen::Index>(count_) + 1;
+  MatrixOf<T> triangles = MatrixOf<T>::Zero(static_cast<Eigen::Index>(blocks()) * n, n);
+  sum_of_blocks([&](Eigen::Index first, const SampledStudy& block) {
+    const WeightedErrors<T> own = block.reduced(parameters);
+    MatrixOf<T> columns(own.slopes.rows(), n);
+    columns << own.slopes, own.errors;
+    const Eigen::Index rows = std::min(columns.rows(), n), at = first / Eigen::Index{rows_in_block} * n;
+    const MatrixOf<T> packed = Eigen::HouseholderQR<MatrixOf<T>>(columns).matrixQR().topRows(rows);
+    triangles.middleRows(at, rows) = packed.template triangularView<Eigen::Upper>();
+    return 0;
   });
-  const Eigen::Index n = static_cast<Eigen::Index>(count_) + 1;
-  MatrixOf<T> stacked = MatrixOf<T>::Zero(static_cast<Eigen::Index>(triangles.size()) * n, n);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    stacked.middleRows(static_cast<Eigen::Index>(i) * n, triangles[i].rows()) = triangles[i];
-  return {stacked.col(n - 1), stacked.leftCols(n - 1),
-          VectorOf<T>::Constant(stacked.rows(), std::sqrt(1 / static_cast<T>(size())))};
+  return {triangles.col(n - 1), triangles.leftCols(n - 1),
+          VectorOf<T>::Constant(triangles.rows(), std::sqrt(1 / static_cast<T>(size())))};
 }
 
 template <>
 void SampledStudy<double>::products(std::span<const double> parameters, std::span<const Eigen::Index> columns,
                                     ProductMatrix<double>& result) const {
   if (rows_) {
-    result = sum_of_blocks([&](std::size_t, const SampledStudy& block) {
+    result = sum_of_blocks([&](Eigen::Index, const SampledStudy& block) {
       ProductMatrix<double> of_block;
       block.products(parameters, columns, of_block);
       return of_block;
@@ -155,29 +164,15 @@ void SampledStudy<double>::products(std::span<const double> parameters, std::spa
 }
 
 template <class T>
-T SampledStudy<T>::square(std::span<const T> parameters) const {
-  return sum_of_blocks([&](std::size_t, const SampledStudy& block) {
-    std::vector<S> results;
-    block.gradient()(parameters, results);
-    T sum = 0;
-    for (std::size_t i = 0; i < block.size(); ++i)
-      sum += block.weights_[i] * block.lane(results, 0, i) * block.lane(results, 0, i);
-    return sum;
-  });
-}
-
-template <class T>
 Sums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
-  return sum_of_blocks([&](std::size_t, const SampledStudy& block) {
-    std::vector<S> results;
-    block.gradient()(parameters, results);
+  return sum_of_blocks([&](Eigen::Index, const SampledStudy& block) {
     Sums<T> sums{0, ParameterVector<T>::Zero(static_cast<Eigen::Index>(count_)), {}};
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const T weighted = block.weights_[i] * block.lane(results, 0, i);
-      sums.square += weighted * block.lane(results, 0, i);
+    for_each_node(block.gradient(), parameters, [&](std::size_t node, const auto& output) {
+      const T error = output(0), weighted = block.weights_[node] * error;
+      sums.square += weighted * error;
       for (std::size_t j = 0; j < count_; ++j)
-        sums.gradient[static_cast<Eigen::Index>(j)] += weighted * block.lane(results, 1 + j, i);
-    }
+        sums.gradient[static_cast<Eigen::Index>(j)] += weighted * output(1 + j);
+    });
     return sums;
   });
 }
@@ -185,23 +180,22 @@ Sums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
 template <class T>
 Sums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
   const auto n = static_cast<Eigen::Index>(count_);
-  Sums<T> sums = sum_of_blocks([&](std::size_t, const SampledStudy& block) {
-    std::vector<S> results;
-    block.hessian()(parameters, results);
+  Sums<T> sums = sum_of_blocks([&](Eigen::Index, const SampledStudy& block) {
     Sums<T> of_block{0, ParameterVector<T>::Zero(n), ParameterMatrix<T>::Zero(n, n)};
-    for (std::size_t node = 0; node < block.size(); ++node) {
-      const T error = block.lane(results, 0, node), weight = block.weights_[node];
+    std::array<T, most_study_parameters> slopes;
+    for_each_node(block.hessian(), parameters, [&](std::size_t node, const auto& output) {
+      const T error = output(0), weight = block.weights_[node];
       of_block.square += weight * error * error;
+      for (std::size_t i = 0; i < count_; ++i) slopes[i] = output(1 + i);
       std::size_t second = 1 + count_;
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const T slope = block.lane(results, 1 + static_cast<std::size_t>(i), node);
-        of_block.gradient[i] += weight * error * slope;
-        for (Eigen::Index j = 0; j <= i; ++j) {
-          const T other = block.lane(results, 1 + static_cast<std::size_t>(j), node);
-          of_block.hessian(i, j) += weight * (slope * other + error * block.lane(results, second++, node));
-        }
+      for (std::size_t i = 0; i < count_; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        of_block.gradient[row] += weight * error * slopes[i];
+        for (std::size_t j = 0; j <= i; ++j)
+          of_block.hessian(row, static_cast<Eigen::Index>(j)) +=
+              weight * (slopes[i] * slopes[j] + error * output(second++));
       }
-    }
+    });
     return of_block;
   });
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -213,17 +207,15 @@ Sums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
 template <class T>
 MatrixOf<T> SampledStudy<T>::curvature(std::span<const T> parameters, std::span<const T> shares) const {
   const auto n = static_cast<Eigen::Index>(count_);
-  const MatrixOf<T> sum = sum_of_blocks([&](std::size_t number, const SampledStudy& block) {
-    std::vector<S> results;
-    block.hessian()(parameters, results);
+  const MatrixOf<T> sum = sum_of_blocks([&](Eigen::Index first, const SampledStudy& block) {
     MatrixOf<T> of_block = MatrixOf<T>::Zero(n, n);
-    for (std::size_t node = 0; node < block.size(); ++node) {
+    for_each_node(block.hessian(), parameters, [&](std::size_t node, const auto& output) {
+      const T share = shares[static_cast<std::size_t>(first) + node];
       std::size_t second = 1 + count_;
       for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index j = 0; j <= i; ++j)
-          of_block(i, j) += shares[number * rows_in_block + node] * block.lane(results, second++, node);
+        for (Eigen::Index j = 0; j <= i; ++j) of_block(i, j) += share * output(second++);
       }
-    }
+    });
     return of_block;
   });
   return sum.template selfadjointView<Eigen::Lower>();
@@ -231,33 +223,23 @@ MatrixOf<T> SampledStudy<T>::curvature(std::span<const T> parameters, std::span<
 
 template <class T>
 bool SampledStudy<T>::has_pole(std::span<const T> parameters) const {
-  struct Sides {
-    bool is_positive = false, is_negative = false;
-  };
-  if (error_->denominators().empty()) return false;
-  const auto of_all = of_blocks([&](std::size_t, const SampledStudy& block) {
-    for (std::size_t i = block.denominators_.size(); i < error_->denominators().size(); ++i)
-      block.denominators_.emplace_back(error_->denominators()[i], block.coordinates_);
-    std::vector<Sides> sides;
-    std::vector<S> results;
-    for (const Batch<T>& denominator : block.denominators_) {
-      denominator(parameters, results);
-      Sides& own = sides.emplace_back();
-      for (std::size_t i = 0; i < block.size(); ++i) {
-        const T value = block.lane(results, 0, i);
-        own.is_positive = own.is_positive || !(value <= 0);
-        own.is_negative = own.is_negative || !(value >= 0);
-      }
+  const std::vector<StagedTape>& all = error_->denominators();
+  if (all.empty()) return false;
+  // How many nodes are on each side of 0.
+  const MatrixOf<double> sides = sum_of_blocks([&](Eigen::Index, const SampledStudy& block) {
+    MatrixOf<double> of_block = MatrixOf<double>::Zero(2, static_cast<Eigen::Index>(all.size()));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (block.denominators_.size() == i) block.denominators_.emplace_back(all[i], block.coordinates_);
+      auto own = of_block.col(static_cast<Eigen::Index>(i));
+      for_each_node(block.denominators_[i], parameters, [&](std::size_t, const auto& output) {
+        const T value = output(0);
+        own[0] += value <= 0 ? 0 : 1;
+        own[1] += value >= 0 ? 0 : 1;
+      });
     }
-    return sides;
+    return of_block;
   });
-  for (std::size_t i = 0; i < error_->denominators().size(); ++i) {
-    const auto any = [&](bool Sides::*side) {
-      return std::ranges::any_of(of_all, [&](const std::vector<Sides>& block) { return block[i].*side; });
-    };
-    if (any(&Sides::is_positive) == any(&Sides::is_negative)) return true;
-  }
-  return false;
+  return ((sides.row(0).array() > 0) == (sides.row(1).array() > 0)).any();
 }
 
 template class SampledStudy<double>;

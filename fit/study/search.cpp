@@ -59,14 +59,14 @@ constexpr std::size_t most_scanned = 2000;
 /// And of rows without a copy only so many in all steps of the search.
 constexpr std::size_t most_searched = 20000;
 
-/// At most so many nodes with even weights: at even steps through the list, or of rows without a copy one
-/// from each of equal stretches.
-StudyNodes thinned(const StudyNodes& nodes, std::size_t most) {
-  if (nodes.rows) return picked(nodes, drawn_nodes(nodes.size(), most));
-  const std::size_t step = (nodes.size() + most - 1) / most;
-  std::vector<std::size_t> places;
-  for (std::size_t n = 0; n < nodes.size(); n += step) places.push_back(n);
-  return picked(nodes, places);
+/// At most so many rows: at even steps through the list, or of rows without a copy one of each stretch.
+StudyNodes thinned(ReadStudy study, std::size_t most) {
+  const std::size_t size = study.rows->value.size(), step = (size + most - 1) / most;
+  std::vector<std::size_t> rows;
+  for (std::size_t n = 0; n < size; n += step) rows.push_back(n);
+  if (size > most_copied_rows) rows = drawn_from(size, most);
+  study.rows = std::make_shared<const MeasuredRows>(some_of(*study.rows, rows));
+  return nodes_of(study, {}, 1);
 }
 
 /// The places of candidates on some of the rows that may be the lowest on all of them, each once.
@@ -76,16 +76,14 @@ std::vector<std::vector<double>> perhaps_lowest(const std::vector<StudyCandidate
   constexpr double share = 1.1, rounding = 1e-20, near = 1e-3;
   constexpr std::size_t most = 8;
   std::vector<std::vector<double>> places;
-  for (const StudyCandidate& candidate : candidates) {
-    const std::vector<double>& own = candidate.parameters;
-    const auto is_there = [&](const std::vector<double>& place) {
-      return std::ranges::equal(place, own, [](double a, double b) {
-        return std::abs(a - b) <= near * std::max(std::abs(a), std::abs(b));
-      });
+  for (const auto& [own, square] : candidates) {
+    const auto is_near = [](double a, double b) {
+      return std::abs(a - b) <= near * std::max(std::abs(a), std::abs(b));
     };
+    const auto is_there = [&](const auto& place) { return std::ranges::equal(place, own, is_near); };
     const double highest = share * candidates.front().square + rounding * target_norm * target_norm;
-    if (candidate.square > highest || places.size() == most) break;
-    if (std::ranges::none_of(places, is_there)) places.push_back(own);
+    if (square <= highest && places.size() < most && std::ranges::none_of(places, is_there))
+      places.push_back(own);
   }
   return places;
 }
@@ -441,9 +439,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   }
   // Fewer nodes, but still more than parameters, show the same basins.
   std::optional<SampledStudy<double>> coarse, some;
-  if (nodes.rows && nonlinear > 0) some.emplace(error, thinned(nodes, most_searched));
+  if (nodes.rows && nonlinear > 0) some.emplace(error, thinned(study, most_searched));
   if (study.rows && nodes.size() > most_scanned) {
-    coarse.emplace(error, thinned(nodes, most_scanned));
+    coarse.emplace(error, thinned(study, most_scanned));
   } else if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     coarse.emplace(error, nodes_of(study, edges, fit_rules[has_finer_nodes ? search_rule(study) : 0]));
   }

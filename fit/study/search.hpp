@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/study/sampled_study.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// The basins of a study's least squares.

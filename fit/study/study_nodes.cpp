@@ -4,7 +4,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
-#include <random>
 #include <set>
 #include <span>
 #include <string>
@@ -17,7 +16,6 @@
 #include "fit/scalars/integral.hpp"
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/study/axis_nodes.hpp"
-#include "fit/support/parallel.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -415,51 +413,18 @@ bool is_one(const Symbolic& formula) {
 
 std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula,
                                     const StudyNodes& nodes) {
-  const Tape tape = tape_of(formula, node_variables(study));
-  std::vector<double> values(nodes.size());
-  const auto run = [&](const auto& columns, std::size_t first, std::size_t last) {
-    TapeProgram<double> program(tape, {});
-    std::vector<double> place(columns.size());
-    for (std::size_t n = first; n < last; ++n) {
-      for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<double>((*columns[i])[n]);
-      program.run(place);
-      values[n] = program.output(0);
-    }
-  };
-  if (!nodes.rows) {
-    std::vector<const std::vector<long double>*> columns;
-    for (const auto& column : nodes.coordinates) columns.push_back(&column);
-    run(columns, 0, values.size());
-    return values;
+  TapeProgram<double> program(tape_of(formula, node_variables(study)), {});
+  std::vector<const std::vector<double>*> columns;
+  if (nodes.rows) columns = columns_of(*nodes.rows);
+  std::vector<double> values, place(nodes.rows ? columns.size() : nodes.coordinates.size());
+  values.reserve(nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t i = 0; i < place.size(); ++i)
+      place[i] = nodes.rows ? (*columns[i])[n] : static_cast<double>(nodes.coordinates[i][n]);
+    program.run(place);
+    values.push_back(program.output(0));
   }
-  constexpr std::size_t block = most_copied_rows;
-  for_each_in_parallel((values.size() + block - 1) / block, [&](std::size_t i, const Checkpoint&) {
-    run(columns_of(*nodes.rows), i * block, std::min((i + 1) * block, values.size()));
-  });
   return values;
-}
-
-std::vector<std::size_t> drawn_nodes(std::size_t count, std::size_t drawn) {
-  std::minstd_rand random;
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < drawn; ++k) {
-    const std::size_t begin = k * count / drawn, end = (k + 1) * count / drawn;
-    places.push_back(begin + random() % (end - begin));
-  }
-  return places;
-}
-
-StudyNodes picked(const StudyNodes& nodes, const std::vector<std::size_t>& places) {
-  StudyNodes result;
-  const auto pick = [&](const auto& column) {
-    std::vector<long double>& of_places = result.coordinates.emplace_back();
-    for (const std::size_t place : places) of_places.push_back(column[place]);
-  };
-  if (nodes.rows)
-    for (const auto* column : columns_of(*nodes.rows)) pick(*column);
-  for (const auto& column : nodes.coordinates) pick(column);
-  result.weights.assign(places.size(), 1.0L / static_cast<long double>(places.size()));
-  return result;
 }
 
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,

@@ -57,13 +57,6 @@ struct StudyNodes {
 /// More rows are not copied: in long double a copy takes 48 bytes a row.
 inline constexpr std::size_t most_copied_rows = 100'000;
 
-/// One place from each of so many equal stretches of a list, rising. The generator is std::minstd_rand, whose
-/// numbers the standard fixes, so each machine draws the same.
-std::vector<std::size_t> drawn_nodes(std::size_t count, std::size_t drawn);
-
-/// Some of the nodes, with equal weights that sum to 1.
-StudyNodes picked(const StudyNodes& nodes, const std::vector<std::size_t>& places);
-
 /// Whether a formula is the number 1, as a weight or a density is that nobody gave.
 bool is_one(const Symbolic& formula);
 

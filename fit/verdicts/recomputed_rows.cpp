@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/study/study_nodes.hpp"
 
 namespace shadefit {
 namespace {
@@ -21,7 +20,7 @@ double value_at(const Symbolic& formula, const Study& study, std::size_t row) {
 
 std::vector<std::size_t> drawn_rows(std::size_t count) {
   const std::size_t drawn = std::min(count, std::max<std::size_t>(5, (count + 99) / 100));
-  std::vector<std::size_t> rows = drawn_nodes(count, drawn);
+  std::vector<std::size_t> rows = drawn_from(count, drawn);
   for (std::size_t& row : rows) ++row;
   return rows;
 }
