@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -159,23 +157,17 @@ LeveledFit lowest_fit(const ReadStudy& study, const std::vector<Held>& starts, c
   return *std::move(lowest);
 }
 
-/// Of each stretch of rows the one with the largest error, if that is above a level: the worst ones.
-std::vector<std::size_t> rows_above(const SampledStudy<double>& sampled,
-                                    const std::vector<double>& parameters, double level) {
-  constexpr std::size_t most = 200;
+/// Appends of each stretch of rows the one with the largest error, if that is above a level.
+void append_above(double level, const SampledStudy<double>& sampled, const std::vector<double>& parameters,
+                  std::vector<std::size_t>& rows) {
   constexpr Eigen::Index stretch = 4096;
   VectorOf<double> errors;
   sampled.errors(parameters, errors, nullptr);
-  std::vector<std::pair<double, std::size_t>> worst;
   for (Eigen::Index first = 0, row = 0; first < errors.size(); first += stretch) {
     const auto own = errors.segment(first, std::min(stretch, errors.size() - first)).array();
-    const double largest = own.isNaN().select(HUGE_VAL, own.abs()).maxCoeff(&row);
-    if (largest > level) worst.emplace_back(largest, static_cast<std::size_t>(first + row));
+    if (own.isNaN().select(HUGE_VAL, own.abs()).maxCoeff(&row) > level)
+      rows.push_back(static_cast<std::size_t>(first + row));
   }
-  std::ranges::sort(worst, std::greater());
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < std::min(most, worst.size()); ++i) rows.push_back(worst[i].second);
-  return rows;
 }
 
 /// The fit of some rows, to which the rows above its level come until there are none. The level of some rows
@@ -190,23 +182,21 @@ LeveledFit exchanged_fit(const ReadStudy& study, const std::vector<Held>& starts
   require_values(study, nodes);
   const SampledStudy<double> sampled(error, nodes);
   std::vector<std::size_t> rows = drawn_from(sampled.size(), first);
-  for (int round = 0; round < most_rounds; ++round) {
-    ReadStudy some = study;
+  ReadStudy some = study;
+  for (int round = 0;; ++round) {
     some.rows = std::make_shared<const MeasuredRows>(some_of(*study.rows, rows));
     LeveledFit found = lowest_fit(some, starts, checkpoint);
     if (found.fit.status != Status::converged) return found;
-    const double level =
-        found.levels.back() + rounding * std::max(found.levels.front(), sampled.target_norm());
+    const double unit = std::max(found.levels.front(), sampled.target_norm());
     const std::size_t before = rows.size();
-    std::ranges::copy(rows_above(sampled, found.fit.parameters, level), std::back_inserter(rows));
+    append_above(found.levels.back() + rounding * unit, sampled, found.fit.parameters, rows);
     std::ranges::sort(rows);
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     if (rows.size() == before) return found;
+    if (round < most_rounds) continue;
+    fail(found.fit, Status::not_converged, "more rows than can be exchanged are above its level");
+    return found;
   }
-  LeveledFit none;
-  none.fit.names = study.parameters;
-  none.fit.why = "more rows than can be exchanged are above its level";
-  return none;
 }
 
 }  // namespace

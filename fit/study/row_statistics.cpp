@@ -29,9 +29,14 @@ bool is_inverse_sigma(const ReadStudy& study, const StudyNodes& nodes) {
 /// inverse(J^T J), by a QR decomposition of J with columns of length 1.
 Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes,
                                 const std::vector<double>& parameters) {
-  const SampledStudy<long double> sampled(error, nodes);
-  const MatrixOf<long double> slopes =
-      sampled.reduced(std::vector<long double>(parameters.begin(), parameters.end())).slopes;
+  // Long double takes four times as long.
+  MatrixOf<long double> slopes;
+  if (nodes.rows) {
+    slopes = SampledStudy<double>(error, nodes).reduced(parameters).slopes.cast<long double>();
+  } else {
+    const std::vector<long double> wide(parameters.begin(), parameters.end());
+    slopes = SampledStudy<long double>(error, nodes).reduced(wide).slopes;
+  }
   const VectorOf<long double> shrink = slopes.colwise().norm().cwiseInverse().transpose();
   const Eigen::HouseholderQR<MatrixOf<long double>> qr(slopes * shrink.asDiagonal());
   const auto n = slopes.cols();
