@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/input/parallel.hpp"
+#include "fit/support/parallel.hpp"
 #include "lint/lint_text.hpp"
 #include "lint/tree/source_tree.hpp"
 

@@ -216,9 +216,10 @@ void change_study(StudyFile& file, const FitOptions& options, const Checkpoint& 
   change_error(file, options);
   if (!own.over.empty()) file.study.over = own.over;
   if (own.table == "-") {
-    take_rows(file, read_standard_input(most_row_bytes, checkpoint), "standard input", own.value);
+    const std::string name = "standard input";
+    take_rows(file, parts_of_standard_input(most_row_bytes, checkpoint), name, own.value, name);
   } else if (!own.table.empty()) {
-    take_rows(file, read_bounded(own.table, most_row_bytes), own.table, own.value);
+    take_rows(file, parts_of(own.table, most_row_bytes), own.table, own.value, own.table);
   } else if (options.present.contains("--value")) {
     throw UserError(fmt::format("--value '{}' belongs to --table: it names its column", own.value));
   }

@@ -135,12 +135,13 @@ std::vector<std::string> study_ids(const std::vector<fs::path>& folders) {
   return ids;
 }
 
-void take_rows(StudyFile& file, const std::string& text, const std::string& table,
-               const std::string& measured) {
+void take_rows(StudyFile& file, const TextParts& text, const std::string& table, const std::string& measured,
+               const OthersText& shown) {
   std::vector<std::string> variables;
   for (const StudyRange& range : file.study.over) variables.push_back(range.variable);
-  file.study.rows =
-      std::make_shared<const MeasuredRows>(read_measured_rows(text, table, variables, measured));
+  auto rows = std::make_shared<MeasuredRows>(read_measured_rows(text, table, variables, measured));
+  rows->file = shown;
+  file.study.rows = std::move(rows);
   if (file.study.rows->sigma.empty() || file.has_weight) return;
   if (file.study.error == Error::relative)
     throw UserError(
@@ -152,11 +153,8 @@ StudyFile load_study(const fs::path& path) {
   StudyFile file = read_study_file(read_bounded(path, most_study_bytes), printable(path.string()));
   if (!file.table.empty()) {
     const fs::path table = table_of(path, file);
-    take_rows(file, read_bounded(table, most_row_bytes), table.string(), "value");
     // What is printed names the file as the study does, wherever the study lies.
-    MeasuredRows rows = *file.study.rows;
-    rows.file = file.table;
-    file.study.rows = std::make_shared<const MeasuredRows>(std::move(rows));
+    take_rows(file, parts_of(table, most_row_bytes), table.string(), "value", file.table);
   }
   require_formulas(file, path);
   return file;

@@ -44,11 +44,12 @@ struct LoadedStudies {
 /// Reads studies for a verb that goes over all of them: one that is refused does not end it.
 LoadedStudies load_studies(const std::vector<std::filesystem::path>& paths);
 
-/// Reads the measured rows of a study from the text of a file; `measured` is the column of their values.
+/// Reads the measured rows of a study from the text of a file; `measured` is the column of their values, and
+/// `shown` names the file in what is printed.
 /// Where they have `sigma` and the study has no weight, the weight becomes 1/sigma. Throws UserError like
 /// `read_measured_rows`, and for a relative error with such a weight.
-void take_rows(StudyFile& file, const std::string& text, const std::string& table,
-               const std::string& measured);
+void take_rows(StudyFile& file, const TextParts& text, const std::string& table, const std::string& measured,
+               const OthersText& shown);
 
 /// A fault of a formula in a file: its line and key instead of an option, ", line 6: target: formula
 /// .."; the key alone, if the line is not known. `form` is the id of the form that was read.

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "fit/input/parallel.hpp"
+#include "fit/support/parallel.hpp"
 
 namespace shadefit::device {
 namespace {

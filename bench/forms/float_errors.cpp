@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/input/parallel.hpp"
+#include "fit/support/parallel.hpp"
 
 namespace shadefit::bench {
 namespace {

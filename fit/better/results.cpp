@@ -9,7 +9,7 @@
 #include "approx/records/optical_constants.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
-#include "fit/input/parallel.hpp"
+#include "fit/support/parallel.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {

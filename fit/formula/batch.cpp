@@ -53,25 +53,6 @@ std::vector<int> joined(std::vector<int> a, const std::vector<int>& b) {
   return a;
 }
 
-/// The packs of so many nodes; in double whole groups, for the wide loops.
-template <class T>
-std::size_t packs_of(std::size_t nodes) {
-  constexpr std::size_t group = std::same_as<T, double> ? WideLoops::group : 1;
-  constexpr std::size_t size = group * Batch<T>::lanes;
-  return (nodes + size - 1) / size * group;
-}
-
-/// Appends numbers in so many packs. The last one is repeated until the packs are full.
-template <class T>
-void append_packed(const std::vector<T>& numbers, std::size_t packs, std::vector<typename Batch<T>::S>& to) {
-  using Lanes = typename Batch<T>::Lanes;
-  std::array<T, Lanes::size> group;
-  for (std::size_t i = 0; i < packs * Lanes::size; i += Lanes::size) {
-    for (std::size_t l = 0; l < Lanes::size; ++l) group[l] = numbers[std::min(i + l, numbers.size() - 1)];
-    to.push_back(Lanes::joined(group));
-  }
-}
-
 /// The table of a tape after its program ran at places, a row of `packs` packs for each register, each
 /// variable, each parameter, and each constant.
 template <class T>
@@ -83,7 +64,8 @@ std::vector<typename Batch<T>::S> run_at(const Tape& tape, std::span<const std::
   std::vector<S> values;
   values.reserve(rows * packs);
   values.resize(tape.register_count() * packs);
-  for (const auto& of_variable : coordinates) append_packed(of_variable, packs, values);
+  for (const auto& of_variable : coordinates)
+    Batch<T>::append_packed(of_variable, of_variable.back(), values);
   for (const T& parameter : parameters) values.insert(values.end(), packs, S(parameter));
   for (const S& constant : constants) values.insert(values.end(), packs, constant);
   std::vector<const S*> table;
@@ -102,10 +84,29 @@ StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const C
       of_both_(graph, outputs, joined(cuts.from_variables, cuts.from_parameters)) {}
 
 template <class T>
+std::size_t Batch<T>::packs_of(std::size_t nodes) {
+  constexpr std::size_t group = std::same_as<T, double> ? WideLoops::group : 1;
+  constexpr std::size_t size = group * lanes;
+  return (nodes + size - 1) / size * group;
+}
+
+template <class T>
+void Batch<T>::append_packed(std::span<const T> numbers, T beyond, std::vector<S>& packs) {
+  const std::size_t first = packs.size(), full = numbers.size() / lanes;
+  packs.resize(first + packs_of(numbers.size()));
+  std::array<T, lanes> group;
+  for (std::size_t pack = 0; first + pack < packs.size(); ++pack) {
+    for (std::size_t l = 0; l < lanes; ++l)
+      group[l] = pack < full || pack * lanes + l < numbers.size() ? numbers[pack * lanes + l] : beyond;
+    packs[first + pack] = Lanes::joined(group);
+  }
+}
+
+template <class T>
 Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates)
     : tape_(&tape),
       nodes_(coordinates.front().size()),
-      packs_(packs_of<T>(nodes_)),
+      packs_(packs_of(nodes_)),
       of_parameters_(tape.of_parameters(), {}) {
   const Tape& first = tape.of_variables();
   const std::vector<S> table = run_at<T>(first, coordinates, {}, packs_);
@@ -137,7 +138,7 @@ std::vector<double> values_at(const Tape& tape, std::span<const std::vector<doub
                               std::span<const double> parameters) {
   using Lanes = Batch<double>::Lanes;
   std::vector<double> result(coordinates.front().size());
-  const std::size_t packs = packs_of<double>(result.size());
+  const std::size_t packs = Batch<double>::packs_of(result.size());
   const std::vector<TwoLanes> table = run_at<double>(tape, coordinates, parameters, packs);
   const TwoLanes* row = &table[tape.output(0) * packs];
   for (std::size_t i = 0; i < result.size(); ++i)

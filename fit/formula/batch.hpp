@@ -55,8 +55,13 @@ class Batch {
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
+  /// The packs of so many nodes. In double whole groups of `WideLoops`.
+  static std::size_t packs_of(std::size_t nodes);
+  /// Appends numbers in packs, and `beyond` until they are full.
+  static void append_packed(std::span<const T> numbers, T beyond, std::vector<S>& packs);
+
   std::size_t nodes() const { return nodes_; }
-  /// The number of S in a row of results. In double whole groups of `WideLoops`.
+  /// The number of S in a row of results.
   std::size_t packs() const { return packs_; }
 
   /// For each output a row of `packs()` results.

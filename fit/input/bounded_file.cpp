@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -14,6 +15,8 @@
 
 namespace shadefit {
 namespace {
+
+constexpr std::uintmax_t part_bytes = 1 << 20;
 
 [[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& reason) {
   throw UserError(fmt::format("cannot read '{}': {}", path.string(), reason));
@@ -61,22 +64,38 @@ std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_
   return read_part(path, 0, size_within(path, most_bytes));
 }
 
-std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint) {
+TextParts parts_of(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  return [path, size = size_within(path, most_bytes), offset = std::uintmax_t{0}]() mutable {
+    const std::uintmax_t length = std::min(part_bytes, size - offset);
+    offset += length;
+    return length == 0 ? std::string() : read_part(path, offset - length, length);
+  };
+}
+
+TextParts parts_of_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint) {
   constexpr int patience = 100;  // milliseconds between two looks for a signal
+  return [most_bytes, checkpoint, size = std::uintmax_t{0}]() mutable -> std::string {
+    for (;;) {
+      checkpoint();
+      pollfd input{STDIN_FILENO, POLLIN, 0};
+      const int ready = ::poll(&input, 1, patience);
+      if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+      std::array<char, 1 << 16> part{};
+      const ssize_t length = ready < 0 ? -1 : ::read(STDIN_FILENO, part.data(), part.size());
+      if (length < 0) refuse_file("-", std::strerror(errno));
+      size += static_cast<std::uintmax_t>(length);
+      if (size > most_bytes)
+        refuse_file("-", fmt::format("standard input has more than {} bytes", most_bytes));
+      return {part.data(), static_cast<std::size_t>(length)};
+    }
+  };
+}
+
+std::string read_standard_input(std::uintmax_t most_bytes, const Checkpoint& checkpoint) {
+  const TextParts next = parts_of_standard_input(most_bytes, checkpoint);
   std::string content;
-  for (;;) {
-    checkpoint();
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    const int ready = ::poll(&input, 1, patience);
-    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
-    std::array<char, 1 << 16> part{};
-    const ssize_t length = ready < 0 ? -1 : ::read(STDIN_FILENO, part.data(), part.size());
-    if (length < 0) refuse_file("-", std::strerror(errno));
-    if (length == 0) return content;
-    content.append(part.data(), static_cast<std::size_t>(length));
-    if (content.size() > most_bytes)
-      refuse_file("-", fmt::format("standard input has more than {} bytes", most_bytes));
-  }
+  for (std::string part = next(); !part.empty(); part = next()) content += part;
+  return content;
 }
 
 }  // namespace shadefit

@@ -22,6 +22,7 @@ std::vector<StudyCandidate> best_of(const std::vector<StudyCandidate>& candidate
 }
 
 bool is_same_curve(const SampledStudy<double>& sampled, const StudyCandidate& a, const StudyCandidate& b) {
+  if (a.parameters == b.parameters) return true;
   VectorOf<double> first, second;
   sampled.errors(a.parameters, first, nullptr);
   sampled.errors(b.parameters, second, nullptr);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "fit/squares/rules.hpp"
 #include "fit/steps/digits.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
@@ -131,10 +133,8 @@ bool is_lower(const LeveledFit& a, const LeveledFit& b) {
   return false;
 }
 
-}  // namespace
-
-StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& starts,
-                            const Checkpoint& checkpoint) {
+/// The lowest of the fits from all basins of the search.
+LeveledFit lowest_fit(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {}, starts, checkpoint);
   const StudyNodes nodes = nodes_of(study, {}, 1);
@@ -151,14 +151,66 @@ StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& sta
         (!is_lower(*lowest, found) && is_slower_wave(found.fit.parameters, lowest->fit.parameters));
     if (is_better) lowest = std::move(found);
   }
-  StudyFit best = std::move(lowest->fit);
-  best.names = study.parameters;
-  best.starts = searched.starts;
-  best.is_global = searched.is_linear;
+  lowest->fit.names = study.parameters;
+  lowest->fit.starts = searched.starts;
+  lowest->fit.is_global = searched.is_linear;
+  return *std::move(lowest);
+}
+
+/// Appends of each stretch of rows the one with the largest error, if that is above a level.
+void append_above(double level, const SampledStudy<double>& sampled, const std::vector<double>& parameters,
+                  std::vector<std::size_t>& rows) {
+  constexpr Eigen::Index stretch = 4096;
+  VectorOf<double> errors;
+  sampled.errors(parameters, errors, nullptr);
+  for (Eigen::Index first = 0, row = 0; first < errors.size(); first += stretch) {
+    const auto own = errors.segment(first, std::min(stretch, errors.size() - first)).array();
+    if (own.isNaN().select(HUGE_VAL, own.abs()).maxCoeff(&row) > level)
+      rows.push_back(static_cast<std::size_t>(first + row));
+  }
+}
+
+/// The fit of some rows, to which the rows above its level come until there are none. The level of some rows
+/// is never above that of all.
+LeveledFit exchanged_fit(const ReadStudy& study, const std::vector<Held>& starts,
+                         const Checkpoint& checkpoint) {
+  constexpr std::size_t first = 2000;
+  constexpr int most_rounds = 50;
+  constexpr double rounding = 2e-15;
+  const StudyError error(study);
+  const StudyNodes nodes = nodes_of(study, {}, 1);
+  require_values(study, nodes);
+  const SampledStudy<double> sampled(error, nodes);
+  std::vector<std::size_t> rows = drawn_from(sampled.size(), first);
+  ReadStudy some = study;
+  for (int round = 0;; ++round) {
+    some.rows = std::make_shared<const MeasuredRows>(some_of(*study.rows, rows));
+    LeveledFit found = lowest_fit(some, starts, checkpoint);
+    if (found.fit.status != Status::converged) return found;
+    const double unit = std::max(found.levels.front(), sampled.target_norm());
+    const std::size_t before = rows.size();
+    append_above(found.levels.back() + rounding * unit, sampled, found.fit.parameters, rows);
+    std::ranges::sort(rows);
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    if (rows.size() == before) return found;
+    if (round < most_rounds) continue;
+    fail(found.fit, Status::not_converged, "more rows than can be exchanged are above its level");
+    return found;
+  }
+}
+
+}  // namespace
+
+StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& starts,
+                            const Checkpoint& checkpoint) {
+  const bool has_many = study.rows->value.size() > most_copied_rows;
+  LeveledFit lowest = (has_many ? exchanged_fit : lowest_fit)(study, starts, checkpoint);
+  StudyFit best = std::move(lowest.fit);
   if (best.status != Status::converged) return best;
   // A later level keeps the rows of an earlier one at its minimum. There a rounding of the level moves the
   // parameters by its square root, and Newton's last step does not see that.
-  if (lowest->levels.size() > 1) best.digits = std::min(best.digits, most_digits / 2);
+  if (lowest.levels.size() > 1) best.digits = std::min(best.digits, most_digits / 2);
+  const StudyError error(study);
   best.rms_error = rms_error(study, error, best.parameters);
   best.max_abs_error = largest_residual(study, best.parameters);
   confirm_integrals(study, best);

@@ -71,7 +71,7 @@ VectorOf<double> Rules::squares(StudyEdge left, StudyEdge right, const std::vect
   VectorOf<double> errors;
   MatrixOf<double> slopes;
   sampled.errors(parameters, errors, &slopes);
-  const auto weights = sampled.roots().cwiseAbs2();
+  const VectorOf<double> weights = sampled.roots().cwiseAbs2();
   VectorOf<double> result(slopes.cols() + 1);
   result[0] = errors.cwiseAbs2().dot(weights);
   for (Eigen::Index j = 0; j < slopes.cols(); ++j) result[j + 1] = slopes.col(j).cwiseAbs2().dot(weights);

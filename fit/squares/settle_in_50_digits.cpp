@@ -51,7 +51,7 @@ StudyFit settle_in_50_digits(const ReadStudy& study, const Rules& rules, const s
   long double best = HUGE_VALL;
   StudyNodes nodes = rules.nodes(rules.first());
   auto fine = optimum_in_50_digits(study, nodes, start);
-  for (std::size_t rule = rules.first(); rule < rules.last() && nodes.weights.size() < most_nodes; ++rule) {
+  for (std::size_t rule = rules.first(); rule < rules.last() && nodes.size() < most_nodes; ++rule) {
     const auto coarse = fine;
     const long double coarse_total = nodes.total;
     nodes = rules.nodes(rule + 1);

@@ -27,11 +27,9 @@ std::optional<ColumnsOptimum> optimum_of(const SampledStudy<long double>& sample
   ColumnsOptimum found;
   std::vector<long double> parameters(sampled.parameter_count());
   for (int round = 0; round < rounds; ++round) {
-    VectorOf<long double> errors;
-    MatrixOf<long double> columns;
-    sampled.errors(parameters, errors, &columns);
-    errors = errors.cwiseProduct(sampled.roots()).eval();
-    columns = (sampled.roots().asDiagonal() * columns).eval();
+    const WeightedErrors<long double> all = sampled.reduced(parameters);
+    const VectorOf<long double> errors = all.errors.cwiseProduct(all.roots);
+    MatrixOf<long double> columns = all.roots.asDiagonal() * all.slopes;
     found.sizes = columns.colwise().norm().transpose();
     columns = columns * found.sizes.cwiseInverse().asDiagonal();
     Eigen::ColPivHouseholderQR<MatrixOf<long double>> factors(columns);

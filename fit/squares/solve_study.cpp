@@ -13,8 +13,8 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/row_statistics.hpp"
-#include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/study/search.hpp"
 
 namespace shadefit {
 namespace {
@@ -91,7 +91,8 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   if (study.rows) {
     checkpoint();
     fit.max_abs_error = largest_residual(study, fit.parameters);
-    if (!study.has_only_starts) fit.statistics = row_statistics(study, error, sampled, fit.parameters);
+    if (!study.has_only_starts)
+      fit.statistics = row_statistics(study, error, sampled, fit.parameters, checkpoint);
   } else {
     fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
     // The square of log(x) has an integral, that of 1/x has none. Rules fit a factor of 1/x that is rounding.

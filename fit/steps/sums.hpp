@@ -31,6 +31,13 @@ struct Sums {
   T square = 0;                 ///< sum of w r^2
   ParameterVector<T> gradient;  ///< of half the square: sum of w r r_i
   ParameterMatrix<T> hessian;   ///< of half the square: sum of w (r_i r_j + r r_ij)
+
+  Sums& operator+=(const Sums& other) {
+    square += other.square;
+    gradient += other.gradient;
+    hessian += other.hessian;
+    return *this;
+  }
 };
 
 }  // namespace shadefit

@@ -1,7 +1,9 @@
 #include "fit/study/measured_rows.hpp"
 
 #include <algorithm>
+#include <random>
 #include <string_view>
+#include <utility>
 
 #include "fit/support/decimal.hpp"
 #include "fit/support/lines.hpp"
@@ -14,6 +16,7 @@ namespace {
 constexpr std::size_t most_shown = 40;
 /// A line with more cells is not a row of a measurement.
 constexpr std::size_t most_columns = 1000;
+constexpr std::size_t most_line = 1 << 20;
 
 std::string shown(std::string_view cell) {
   return "'" + std::string(cell.substr(0, most_shown)) + (cell.size() > most_shown ? " ..'" : "'");
@@ -28,15 +31,14 @@ std::string shown_name(std::string_view name, std::size_t column) {
   return is_word ? shown(name) : "column " + std::to_string(column + 1);
 }
 
-/// The text of a file of rows, line by line.
+/// The text of a file of rows, line by line. It holds a part of the text, and the line that the part cuts.
 class RowReader {
  public:
-  RowReader(std::string_view text, const std::string& file)
-      : file_("'" + file + "'"), rest_(without_mark(text)) {
-    if (rest_.empty()) throw UserError(file_ + " is empty: its first line must name the columns");
-    // A byte 0 would cut a message off, and no text has one.
-    if (rest_.find('\0') != std::string_view::npos)
-      throw UserError(file_ + " is not a text: it has a byte 0");
+  RowReader(TextParts next_part, const std::string& file)
+      : file_("'" + file + "'"), next_part_(std::move(next_part)) {
+    fill();
+    rest_ = without_mark(rest_);
+    if (!has_more()) throw UserError(file_ + " is empty: its first line must name the columns");
     columns_ = header();
     header_ = line_;
     for (std::size_t i = 0; i < columns_.size(); ++i) require_column_name(i);
@@ -44,7 +46,11 @@ class RowReader {
 
   const std::string& file() const { return file_; }
   std::size_t line_of_header() const { return header_; }
-  bool has_more() const { return !rest_.empty(); }
+  /// Reads on if it must: then the cells of the last row are gone.
+  bool has_more() {
+    fill();
+    return !rest_.empty();
+  }
   bool has_column(std::string_view name) const { return std::ranges::find(columns_, name) != columns_.end(); }
 
   std::size_t column(std::string_view name) const {
@@ -59,7 +65,7 @@ class RowReader {
   }
 
   void next_row() {
-    cells_ = next_cells();
+    split(next(), cells_);
     if (cells_.size() != columns_.size())
       refuse("has " + std::to_string(cells_.size()) + (cells_.size() == 1 ? " cell" : " cells") +
              ", the header has " + std::to_string(columns_.size()));
@@ -75,7 +81,7 @@ class RowReader {
 
   /// Throws a UserError about a cell of the last row.
   [[noreturn]] void refuse_cell(std::size_t column, const std::string& rule) const {
-    refuse(std::string(columns_[column]) + " " + shown(cells_[column]) + " " + rule);
+    refuse(columns_[column] + " " + shown(cells_[column]) + " " + rule);
   }
 
  private:
@@ -83,24 +89,41 @@ class RowReader {
     throw UserError(file_ + ", line " + std::to_string(line_) + ": " + what);
   }
 
+  /// Reads parts until there is a whole line, or the text ends.
+  void fill() {
+    while (rest_.empty() && !is_ended_) {
+      const std::string part = next_part_();
+      // A byte 0 would cut a message off, and no text has one.
+      if (part.find('\0') != std::string::npos) throw UserError(file_ + " is not a text: it has a byte 0");
+      is_ended_ = part.empty();
+      text_ = text_.substr(whole_) + part;
+      // A CR at the end of a part may be that of CR LF.
+      const std::string_view ended(text_.data(), text_.size() - (text_.ends_with('\r') ? 1 : 0));
+      whole_ = is_ended_ ? text_.size() : ended.find_last_of("\r\n") + 1;  // npos + 1 is 0
+      if (whole_ == 0 && text_.size() > most_line) {
+        ++line_;
+        refuse("more than " + std::to_string(most_line) + " bytes");
+      }
+      rest_ = std::string_view(text_).substr(0, whole_);
+    }
+  }
+
   std::string_view next() {
     ++line_;
     return next_line(rest_);
   }
 
-  std::vector<std::string_view> next_cells() { return cells_of(next()); }
-
   /// Between commas; of a line without one between blanks and tabs.
-  std::vector<std::string_view> cells_of(std::string_view line) const {
+  void split(std::string_view line, std::vector<std::string_view>& cells) const {
     if (line.find('"') != std::string_view::npos) refuse("a quote: write numbers and names without quotes");
     const bool has_comma = line.find(',') != std::string_view::npos;
     line = trimmed(line);
-    std::vector<std::string_view> cells;
+    cells.clear();
     for (;;) {
       const std::size_t end = has_comma ? line.find(',') : line.find_first_of(" \t");
       cells.push_back(trimmed(line.substr(0, end)));
       if (cells.size() > most_columns) refuse("more than " + std::to_string(most_columns) + " cells");
-      if (end == std::string_view::npos) return cells;
+      if (end == std::string_view::npos) return;
       line.remove_prefix(end + 1);
       if (!has_comma) line = trimmed(line);
     }
@@ -108,17 +131,17 @@ class RowReader {
 
   /// The names of the columns. As np.savetxt writes them, they stand behind a '#'; lines of comments may
   /// stand before them.
-  std::vector<std::string_view> header() {
-    std::string_view line = next();
+  std::vector<std::string> header() {
+    std::string line(next());
     while (line.starts_with('#') && has_more()) {
       std::string_view rest = rest_;
-      const auto cells = cells_of(next_line(rest));
-      if (std::ranges::any_of(cells, [](std::string_view cell) { return parse_number(cell).has_value(); }))
+      split(next_line(rest), cells_);
+      if (std::ranges::any_of(cells_, [](std::string_view cell) { return parse_number(cell).has_value(); }))
         break;
       line = next();
     }
-    if (line.starts_with('#')) line.remove_prefix(1);
-    return cells_of(line);
+    split(std::string_view(line).substr(line.starts_with('#') ? 1 : 0), cells_);
+    return {cells_.begin(), cells_.end()};
   }
 
   void require_column_name(std::size_t i) const {
@@ -131,14 +154,40 @@ class RowReader {
   }
 
   std::string file_;
-  std::string_view rest_;
+  TextParts next_part_;
+  std::string text_;
+  std::size_t whole_ = 0;  ///< the length of the whole lines in it
+  std::string_view rest_;  ///< of these lines
+  bool is_ended_ = false;
   std::size_t line_ = 0, header_ = 0;
-  std::vector<std::string_view> columns_, cells_;
+  std::vector<std::string> columns_;
+  std::vector<std::string_view> cells_;
 };
 
 }  // namespace
 
-MeasuredRows read_measured_rows(std::string_view text, const std::string& file,
+std::vector<std::size_t> drawn_from(std::size_t count, std::size_t drawn) {
+  std::minstd_rand random;
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < drawn; ++k) {
+    const std::size_t begin = k * count / drawn, end = (k + 1) * count / drawn;
+    rows.push_back(begin + random() % (end - begin));
+  }
+  return rows;
+}
+
+MeasuredRows some_of(const MeasuredRows& all, const std::vector<std::size_t>& rows) {
+  MeasuredRows some = {
+      .file = all.file, .places = {all.places.size(), std::vector<double>{}}, .header = all.header};
+  for (const std::size_t row : rows) {
+    for (std::size_t i = 0; i < all.places.size(); ++i) some.places[i].push_back(all.places[i][row]);
+    some.value.push_back(all.value[row]);
+    if (!all.sigma.empty()) some.sigma.push_back(all.sigma[row]);
+  }
+  return some;
+}
+
+MeasuredRows read_measured_rows(const TextParts& text, const std::string& file,
                                 const std::vector<std::string>& variables, const std::string& measured) {
   RowReader reader(text, file);
   MeasuredRows rows{file, std::vector<std::vector<double>>(variables.size()), {}, {}};
@@ -159,6 +208,9 @@ MeasuredRows read_measured_rows(std::string_view text, const std::string& file,
     if (!(rows.sigma.back() > 0)) reader.refuse_cell(sigma, "must be greater than 0");
   }
   if (rows.value.empty()) throw UserError(reader.file() + " has no rows below its header");
+  for (auto& column : rows.places) column.shrink_to_fit();
+  rows.value.shrink_to_fit();
+  rows.sigma.shrink_to_fit();
   return rows;
 }
 

@@ -90,11 +90,9 @@ bool Projection::factorise(std::span<const Eigen::Index> columns) const {
     return false;
   }
   if (factorise_in_place(last_.triangle)) return true;
-  VectorOf<double> errors;
-  Matrix slopes;
-  sampled_.errors(last_.parameters, errors, &slopes);
+  const WeightedErrors<double> all = sampled_.reduced(last_.parameters);
   const std::vector<Eigen::Index> of_slopes(columns.begin(), columns.end() - 1);
-  last_.triangle = triangle_of(slopes(Eigen::all, of_slopes), errors, sampled_.roots());
+  last_.triangle = triangle_of(all.slopes(Eigen::all, of_slopes), all.errors, all.roots);
   return false;
 }
 

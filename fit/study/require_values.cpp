@@ -254,7 +254,8 @@ std::vector<double> require_values(const ReadStudy& study, const StudyNodes& nod
   const auto is_weight = [&](double value) {
     return (study.rows ? value > 0 : value >= 0) && std::isfinite(value);
   };
-  const std::vector<double> target = values_at_nodes(study, study.target, nodes);
+  const std::vector<double> target =
+      study.rows ? study.rows->value : values_at_nodes(study, study.target, nodes);
   if (const auto node =
           static_cast<std::size_t>(std::ranges::find_if_not(target, is_finite) - target.begin());
       node < target.size())

@@ -3,10 +3,12 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "fit/steps/levenberg.hpp"
 #include "fit/study/projection.hpp"
+#include "fit/support/decompositions.hpp"
 #include "fit/support/root.hpp"
 
 namespace shadefit {
@@ -27,10 +29,14 @@ bool is_inverse_sigma(const ReadStudy& study, const StudyNodes& nodes) {
 /// inverse(J^T J), by a QR decomposition of J with columns of length 1.
 Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes,
                                 const std::vector<double>& parameters) {
-  const SampledStudy<long double> sampled(error, nodes);
-  VectorOf<long double> errors;
+  // Long double takes four times as long.
   MatrixOf<long double> slopes;
-  sampled.errors(std::vector<long double>(parameters.begin(), parameters.end()), errors, &slopes);
+  if (nodes.rows) {
+    slopes = SampledStudy<double>(error, nodes).reduced(parameters).slopes.cast<long double>();
+  } else {
+    const std::vector<long double> wide(parameters.begin(), parameters.end());
+    slopes = SampledStudy<long double>(error, nodes).reduced(wide).slopes;
+  }
   const VectorOf<long double> shrink = slopes.colwise().norm().cwiseInverse().transpose();
   const Eigen::HouseholderQR<MatrixOf<long double>> qr(slopes * shrink.asDiagonal());
   const auto n = slopes.cols();
@@ -157,11 +163,66 @@ Vector tangent_of(const RowStatistics& statistics, const std::vector<std::size_t
   return tangent;
 }
 
+/// Ends of profiles by Newton's method on their equations, for rows of which each pass takes long: the sum of
+/// squares has grown by `growth`, and its derivatives by the other parameters are 0. The Hessian is that at
+/// the optimum, which a standard error away has hardly changed. Source: Venzon, Moolgavkar 1988, "A Method
+/// for Computing Profile-Likelihood-Based Confidence Intervals", Applied Statistics 37.
+class NewtonEnds {
+ public:
+  /// Keeps references. Everything is in units of the standard errors and of the growth.
+  NewtonEnds(const SampledStudy<double>& sampled, const RowStatistics& statistics,
+             const std::vector<double>& optimum, double growth)
+      : sampled_(sampled),
+        optimum_(optimum),
+        units_(vector_of(statistics.standard_errors)),
+        share_(static_cast<double>(sampled.size()) / growth) {
+    const auto sums = sampled.derivatives(optimum);
+    least_ = share_ * sums.square;
+    hessian_ = share_ * (units_.asDiagonal() * sums.hessian * units_.asDiagonal());
+    for (Eigen::Index i = 0; i <= units_.size(); ++i) columns_.push_back(i);
+  }
+
+  /// The distance in standard errors, in a direction 1 or -1, if that settles near 1. `tangent`: how all
+  /// parameters change with the one that is held.
+  std::optional<double> end(std::size_t parameter, const Vector& tangent, double direction) const {
+    constexpr int most_steps = 8;
+    constexpr double last_step = 1e-6, nearest = 0.5, furthest = 2;
+    const auto count = units_.size(), held = static_cast<Eigen::Index>(parameter);
+    Vector at = direction * tangent;
+    for (int step = 0; step < most_steps; ++step) {
+      const std::vector<double> place = moved_by<double>(at.cwiseProduct(units_), optimum_);
+      ProductMatrix<double> products;
+      sampled_.products(place, columns_, products);
+      Vector excess = share_ * units_.cwiseProduct(products.col(count).head(count));
+      Matrix equations = hessian_;
+      equations.row(held) = 2 * excess.transpose();
+      excess[held] = share_ * products(count, count) - least_ - 1;
+      const Vector moved = shortest_solution(equations, excess);
+      at -= moved;
+      if (!at.allFinite()) break;
+      if (moved.cwiseAbs().maxCoeff() > last_step) continue;
+      const double distance = direction * at[held];
+      const bool is_near = nearest < distance && distance < furthest && !sampled_.has_pole(place);
+      return is_near ? std::optional(at[held]) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const SampledStudy<double>& sampled_;
+  const std::vector<double>& optimum_;
+  Vector units_;
+  double share_, least_ = 0;
+  Matrix hessian_;
+  std::vector<Eigen::Index> columns_;
+};
+
 }  // namespace
 
 std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyError& error,
                                             const SampledStudy<double>& sampled,
-                                            const std::vector<double>& parameters) {
+                                            const std::vector<double>& parameters,
+                                            const Checkpoint& checkpoint) {
   const std::size_t rows = sampled.size(), count = parameters.size();
   if (rows == count) return std::nullopt;
   const StudyNodes nodes = nodes_of(study, {}, 1);
@@ -177,17 +238,29 @@ std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyE
     result.covariance.emplace_back(covariance.row(i).begin(), covariance.row(i).end());
     result.standard_errors.push_back(std::sqrt(covariance(i, i)));
   }
+  std::optional<NewtonEnds> newton;
+  if (nodes.rows) newton.emplace(sampled, result, parameters, growth);
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
   constexpr double resolution = 1e-8;  // of the search for an end: a smaller one is 0
   for (std::size_t i = 0; i < count; ++i) {
     const HeldSquare problem(error, sampled, parameters, result.standard_errors, i);
-    Profile profile(problem, tangent_of(result, problem.unknowns(), i), growth);
+    std::optional<Profile> profile;
+    const auto end_towards = [&](double direction) {
+      checkpoint();
+      std::optional<double> end;
+      if (newton) end = newton->end(i, tangent_of(result, all, i), direction);
+      if (end) return end;
+      if (!profile) profile.emplace(problem, tangent_of(result, problem.unknowns(), i), growth);
+      return profile->end(direction);
+    };
     ProfileInterval interval;
     const auto place = [&](double distance) {
       const double step = result.standard_errors[i] * distance, end = parameters[i] + step;
       return std::abs(end) <= resolution * std::abs(step) ? 0 : end;
     };
-    if (const auto lower = profile.end(-1)) interval.lower = place(*lower);
-    if (const auto upper = profile.end(1)) interval.upper = place(*upper);
+    if (const auto lower = end_towards(-1)) interval.lower = place(*lower);
+    if (const auto upper = end_towards(1)) interval.upper = place(*upper);
     result.profiles.push_back(interval);
   }
   return result;

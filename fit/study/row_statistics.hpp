@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/study/study_problem.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// How well measured rows determine the parameters of a fit.
 namespace shadefit {
@@ -39,6 +40,7 @@ struct RowStatistics {
 /// rounding without an absolute sigma.
 std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyError& error,
                                             const SampledStudy<double>& sampled,
-                                            const std::vector<double>& parameters);
+                                            const std::vector<double>& parameters,
+                                            const Checkpoint& checkpoint);
 
 }  // namespace shadefit

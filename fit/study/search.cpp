@@ -56,18 +56,36 @@ constexpr double same_square = 1e-6;
 
 /// If there are more rows than this, only some take part in the first steps: they show the same basins.
 constexpr std::size_t most_scanned = 2000;
+/// And of rows without a copy only so many in all steps of the search.
+constexpr std::size_t most_searched = 20000;
 
-/// Nodes at even steps through the list, at most `most_scanned`, with even weights.
-StudyNodes thinned(const StudyNodes& nodes) {
-  const std::size_t size = nodes.weights.size(), step = (size + most_scanned - 1) / most_scanned;
-  StudyNodes result{std::vector<std::vector<long double>>(nodes.coordinates.size()), {}, 1};
-  for (std::size_t n = 0; n < size; n += step) {
-    for (std::size_t i = 0; i < nodes.coordinates.size(); ++i)
-      result.coordinates[i].push_back(nodes.coordinates[i][n]);
+/// At most so many rows: at even steps through the list, or of rows without a copy one of each stretch.
+StudyNodes thinned(ReadStudy study, std::size_t most) {
+  const std::size_t size = study.rows->value.size(), step = (size + most - 1) / most;
+  std::vector<std::size_t> rows;
+  for (std::size_t n = 0; n < size; n += step) rows.push_back(n);
+  if (size > most_copied_rows) rows = drawn_from(size, most);
+  study.rows = std::make_shared<const MeasuredRows>(some_of(*study.rows, rows));
+  return nodes_of(study, {}, 1);
+}
+
+/// The places of candidates on some of the rows that may be the lowest on all of them, each once.
+std::vector<std::vector<double>> perhaps_lowest(const std::vector<StudyCandidate>& candidates,
+                                                double target_norm) {
+  // On thousands of rows a square is known to a few percent.
+  constexpr double share = 1.1, rounding = 1e-20, near = 1e-3;
+  constexpr std::size_t most = 8;
+  std::vector<std::vector<double>> places;
+  for (const auto& [own, square] : candidates) {
+    const auto is_near = [](double a, double b) {
+      return std::abs(a - b) <= near * std::max(std::abs(a), std::abs(b));
+    };
+    const auto is_there = [&](const auto& place) { return std::ranges::equal(place, own, is_near); };
+    const double highest = share * candidates.front().square + rounding * target_norm * target_norm;
+    if (square <= highest && places.size() < most && std::ranges::none_of(places, is_there))
+      places.push_back(own);
   }
-  const std::size_t kept = result.coordinates.front().size();
-  result.weights.assign(kept, 1.0L / static_cast<long double>(kept));
-  return result;
+  return places;
 }
 
 /// The power of two next to a size that is far from 1, else 1.
@@ -420,18 +438,25 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
     for (std::size_t i = 0; i < wanted.bounds.size(); ++i) start[i] = folded(start[i], wanted.bounds[i]);
   }
   // Fewer nodes, but still more than parameters, show the same basins.
-  std::optional<SampledStudy<double>> coarse;
-  if (study.rows && nodes.weights.size() > most_scanned) {
-    coarse.emplace(error, thinned(nodes));
+  std::optional<SampledStudy<double>> coarse, some;
+  if (nodes.rows && nonlinear > 0) some.emplace(error, thinned(study, most_searched));
+  if (study.rows && nodes.size() > most_scanned) {
+    coarse.emplace(error, thinned(study, most_scanned));
   } else if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     coarse.emplace(error, nodes_of(study, edges, fit_rules[has_finer_nodes ? search_rule(study) : 0]));
   }
   const auto search = [&] {
-    return search_basins(error, coarse ? *coarse : result.sampled, result.sampled, wanted, checkpoint);
+    const SampledStudy<double>& searched = some ? *some : result.sampled;
+    return search_basins(error, coarse ? *coarse : searched, searched, wanted, checkpoint);
   };
   result.candidates = search();
   result.starts = static_cast<int>(wanted.sets() * wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
   if (nonlinear > 0) search_on(result, wanted, search);
+  if (some) {
+    const auto places = perhaps_lowest(result.candidates, some->target_norm());
+    result.candidates = search_basins(error, result.sampled, result.sampled,
+                                      {.count = 0, .octaves = 0, .given = places}, checkpoint);
+  }
   const auto is_out = [&](const StudyCandidate& end) { return !is_inside(end.parameters, wanted.bounds); };
   if (nonlinear > 0 && !std::ranges::all_of(result.candidates, is_out))
     std::erase_if(result.candidates, is_out);

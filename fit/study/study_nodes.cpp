@@ -308,12 +308,14 @@ std::vector<StudyEdge> with_corners(const ReadStudy& study, std::vector<StudyEdg
   return edges;
 }
 
-StudyNodes nodes_of_rows(const MeasuredRows& rows) {
+StudyNodes nodes_of_rows(const std::shared_ptr<const MeasuredRows>& rows) {
   StudyNodes nodes;
-  for (const auto& places : rows.places) nodes.coordinates.emplace_back(places.begin(), places.end());
-  nodes.coordinates.emplace_back(rows.value.begin(), rows.value.end());
-  if (!rows.sigma.empty()) nodes.coordinates.emplace_back(rows.sigma.begin(), rows.sigma.end());
-  nodes.weights.assign(rows.value.size(), 1.0L / static_cast<long double>(rows.value.size()));
+  if (rows->value.size() > most_copied_rows) {
+    nodes.rows = rows;
+    return nodes;
+  }
+  for (const auto* column : columns_of(*rows)) nodes.coordinates.emplace_back(column->begin(), column->end());
+  nodes.weights.assign(rows->value.size(), 1.0L / static_cast<long double>(rows->value.size()));
   return nodes;
 }
 
@@ -412,10 +414,13 @@ bool is_one(const Symbolic& formula) {
 std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula,
                                     const StudyNodes& nodes) {
   TapeProgram<double> program(tape_of(formula, node_variables(study)), {});
-  std::vector<double> values, place(nodes.coordinates.size());
-  values.reserve(nodes.weights.size());
-  for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
-    for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<double>(nodes.coordinates[i][n]);
+  std::vector<const std::vector<double>*> columns;
+  if (nodes.rows) columns = columns_of(*nodes.rows);
+  std::vector<double> values, place(nodes.rows ? columns.size() : nodes.coordinates.size());
+  values.reserve(nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t i = 0; i < place.size(); ++i)
+      place[i] = nodes.rows ? (*columns[i])[n] : static_cast<double>(nodes.coordinates[i][n]);
     program.run(place);
     values.push_back(program.output(0));
   }
@@ -424,7 +429,7 @@ std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& form
 
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                     unsigned rule_size) {
-  if (study.rows) return nodes_of_rows(*study.rows);
+  if (study.rows) return nodes_of_rows(study.rows);
   StudyNodes nodes{{}, {1.0L}, 1};
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     std::vector<MixedHinge> mixed = mixed_hinges(study, i);

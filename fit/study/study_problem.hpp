@@ -2,14 +2,17 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fit/formula/batch.hpp"
 #include "fit/steps/sums.hpp"
 #include "fit/study/study.hpp"
 #include "fit/study/study_nodes.hpp"
+#include "fit/support/parallel.hpp"
 
 /// The error of a study as tapes, and its sums over nodes.
 namespace shadefit {
@@ -70,17 +73,31 @@ class StudyError {
   std::vector<StagedTape> denominators_;
 };
 
-/// The error at nodes. One thread uses it at a time.
+/// Errors, a column of their derivatives for each parameter, and the roots of their weights.
+template <class T>
+struct WeightedErrors {
+  VectorOf<T> errors;
+  MatrixOf<T> slopes;
+  VectorOf<T> roots;
+};
+
+/// The error at nodes. One thread uses it at a time. Nodes that are rows without a copy are computed in
+/// blocks on all cores, and nothing of them is kept. A sum is that of the blocks in their order, so it does
+/// not depend on the number of threads.
 template <class T>
 class SampledStudy {
  public:
   /// Keeps a pointer to the error.
-  SampledStudy(const StudyError& error, const StudyNodes& nodes);
+  SampledStudy(const StudyError& error, const StudyNodes& nodes, unsigned threads = cores());
 
-  std::size_t size() const { return weights_.size(); }
+  std::size_t size() const { return rows_ ? rows_->value.size() : weights_.size(); }
   std::size_t parameter_count() const { return count_; }
   /// sqrt(weight) of each node.
-  const VectorOf<T>& roots() const { return roots_; }
+  VectorOf<T> roots() const;
+
+  /// What a decomposition needs of the errors: those at the nodes, or of several blocks triangles with the
+  /// same sums of squares and of products.
+  WeightedErrors<T> reduced(std::span<const T> parameters) const;
 
   /// The errors at the nodes, and if `slopes` is not null a column of their derivatives for each parameter.
   void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
@@ -90,7 +107,7 @@ class SampledStudy {
   void products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
                 ProductMatrix<T>& result) const;
 
-  T square(std::span<const T> parameters) const;
+  T square(std::span<const T> parameters) const { return gradient(parameters).square; }
   /// Without the Hessian.
   Sums<T> gradient(std::span<const T> parameters) const;
   Sums<T> derivatives(std::span<const T> parameters) const;
@@ -106,20 +123,34 @@ class SampledStudy {
  private:
   using S = typename Batch<T>::S;
 
-  T lane(const std::vector<S>& results, std::size_t row, std::size_t node) const;
-  const Batch<T>& hessian() const;
+  SampledStudy(const StudyError& error, std::vector<std::vector<T>> coordinates, std::vector<T> weights)
+      : error_(&error),
+        count_(error.parameter_count()),
+        coordinates_(std::move(coordinates)),
+        weights_(std::move(weights)) {}
+
+  static constexpr std::size_t rows_in_block = 4096;
+
+  std::size_t blocks() const { return rows_ ? (size() + rows_in_block - 1) / rows_in_block : 1; }
+  SampledStudy block(std::size_t number) const;
+  /// The sum of what `work` returns for each block. It gets the number of the first node, and the nodes.
+  template <class Work>
+  auto sum_of_blocks(const Work& work) const;
+  const Batch<T>& batch(std::optional<Batch<T>>& kept, const StagedTape& tape) const;
+  const Batch<T>& gradient() const { return batch(gradient_, error_->gradient()); }
+  const Batch<T>& hessian() const { return batch(hessian_, error_->hessian()); }
 
   const StudyError* error_;
   std::size_t count_;
+  std::shared_ptr<const MeasuredRows> rows_ = nullptr;  ///< then both lists are empty
+  unsigned threads_ = 1;
   std::vector<std::vector<T>> coordinates_;
   std::vector<T> weights_;
-  std::vector<S> packed_weights_;  ///< 0 for a node that is repeated
-  VectorOf<T> roots_;
-  Batch<T> gradient_;
-  std::vector<Batch<T>> denominators_;
   // When first needed: many rules are only for the errors.
-  mutable std::optional<Batch<T>> hessian_;
-  mutable std::optional<T> target_norm_;
+  mutable std::optional<Batch<T>> gradient_ = {}, hessian_ = {};
+  mutable std::vector<S> packed_weights_ = {};  ///< 0 for a node that is repeated
+  mutable std::vector<Batch<T>> denominators_ = {};
+  mutable std::optional<T> target_norm_ = {};
 };
 
 template <>

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <string_view>
 
 /// Texts that people wrote with any editor, line by line.
 namespace shadefit {
+
+/// Gives the parts of a long text, one after the other. None is empty, until the text ends.
+using TextParts = std::function<std::string()>;
 
 /// A text without the UTF-8 byte order mark that some editors write.
 inline std::string_view without_mark(std::string_view text) {
@@ -15,7 +20,8 @@ inline std::string_view without_mark(std::string_view text) {
 
 /// Removes the first line of a text with its end, which is LF, CR LF or CR.
 inline std::string_view next_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const auto is_end = [](char c) { return c == '\n' || c == '\r'; };
+  const auto end = static_cast<std::size_t>(std::ranges::find_if(text, is_end) - text.begin());
   const std::string_view line = text.substr(0, end);
   text.remove_prefix(end);
   text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));

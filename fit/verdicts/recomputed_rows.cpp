@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "fit/scalars/in_50_digits.hpp"
 
@@ -21,12 +20,8 @@ double value_at(const Symbolic& formula, const Study& study, std::size_t row) {
 
 std::vector<std::size_t> drawn_rows(std::size_t count) {
   const std::size_t drawn = std::min(count, std::max<std::size_t>(5, (count + 99) / 100));
-  std::minstd_rand random;
-  std::vector<std::size_t> rows;
-  for (std::size_t k = 0; k < drawn; ++k) {
-    const std::size_t begin = k * count / drawn, end = (k + 1) * count / drawn;
-    rows.push_back(begin + random() % (end - begin) + 1);
-  }
+  std::vector<std::size_t> rows = drawn_from(count, drawn);
+  for (std::size_t& row : rows) ++row;
   return rows;
 }
 

@@ -21,9 +21,7 @@ struct RecomputedRows {
   std::vector<WrongRow> wrong = {};
 };
 
-/// Draws 1 % of the rows, at least five, or all if there are fewer: one from each of equal stretches. The
-/// generator is std::minstd_rand, whose numbers the standard fixes, so each machine draws the same rows. Rows
-/// count from 1 and rise.
+/// Draws 1 % of the rows, at least five, or all if there are fewer, as `drawn_from` does. Rows count from 1.
 std::vector<std::size_t> drawn_rows(std::size_t count);
 
 /// How far a row may be from its formula, relative to the largest value of the table. Tables have 12 digits,

@@ -32,20 +32,17 @@ std::shared_ptr<const MeasuredRows> rows_within(const ErrorClaim& claim, const S
       if (study.over[i].variable == range.variable) ends[i] = ends_of(range);
   }
   const MeasuredRows& all = *study.rows;
-  MeasuredRows within{all.file, std::vector<std::vector<double>>(ends.size()), {}, {}};
+  std::vector<std::size_t> within;
   for (std::size_t row = 0; row < all.value.size(); ++row) {
     bool is_within = true;
     for (std::size_t i = 0; i < ends.size(); ++i)
       is_within = is_within && ends[i].lower <= all.places[i][row] && all.places[i][row] <= ends[i].upper;
-    if (!is_within) continue;
-    for (std::size_t i = 0; i < ends.size(); ++i) within.places[i].push_back(all.places[i][row]);
-    within.value.push_back(all.value[row]);
-    if (!all.sigma.empty()) within.sigma.push_back(all.sigma[row]);
+    if (is_within) within.push_back(row);
   }
-  if (within.value.empty())
+  if (within.empty())
     throw UserError("the table '" + all.file.unescaped() + "' has no rows in the range of the claim " +
                     claim.printed);
-  return std::make_shared<const MeasuredRows>(std::move(within));
+  return std::make_shared<const MeasuredRows>(some_of(all, within));
 }
 
 /// The nodes of a rule. Those of one variable are split where the error changes its sign: there its magnitude
@@ -61,7 +58,7 @@ double mean_error(const ReadStudy& study, const std::vector<double>& parameters)
   const StudyNodes nodes = nodes_for(study, error);
   const std::vector<double> errors = values_at_nodes(study, error, nodes);
   long double sum = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) sum += nodes.weights[i] * std::abs(errors[i]);
+  for (std::size_t i = 0; i < errors.size(); ++i) sum += nodes.weight(i) * std::abs(errors[i]);
   return static_cast<double>(sum);
 }
 

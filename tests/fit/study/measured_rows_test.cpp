@@ -2,15 +2,27 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
 
+/// A text in parts of a length; the last part may be shorter.
+TextParts parts_of(const std::string& text, std::size_t length = std::string::npos) {
+  return [text, length, from = std::size_t{0}]() mutable {
+    const std::string part = text.substr(from, length);
+    from += part.size();
+    return part;
+  };
+}
+
 MeasuredRows read_rows(const std::string& text) {
-  return read_measured_rows(text, "m.csv", {"x"});
+  return read_measured_rows(parts_of(text), "m.csv", {"x"});
 }
 
 using Numbers = std::vector<double>;
@@ -76,7 +88,8 @@ TEST(MeasuredRows, AnswersBadInputWithOneLine) {
 }
 
 TEST(MeasuredRows, NamesTheMeasuredColumnAndTheLines) {
-  const MeasuredRows rows = read_measured_rows("# a test\n# x light\n1 2\n", "m.csv", {"x"}, "light");
+  const MeasuredRows rows =
+      read_measured_rows(parts_of("# a test\n# x light\n1 2\n"), "m.csv", {"x"}, "light");
   EXPECT_EQ(rows.value, Numbers{2});
   EXPECT_EQ(line_of_row(rows, 1), 3u);
   EXPECT_EQ(refusal_of_rows("#\nx,value\n1,two\n"), "'m.csv', line 3: value 'two' is not a finite number");
@@ -85,11 +98,43 @@ TEST(MeasuredRows, NamesTheMeasuredColumnAndTheLines) {
   EXPECT_EQ(refusal_of_rows("#\n"), "'m.csv', line 1: column 1 has no name");
 }
 
+TEST(MeasuredRows, ReadsPartsThatEndAnywhere) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string text =
+        "# by hand" + end + "# x value sigma" + end + "1.25 2 3" + end + "4 5 0.75" + end;
+    for (std::size_t length = 1; length <= text.size(); ++length) {
+      const MeasuredRows rows = read_measured_rows(parts_of(text, length), "m.csv", {"x"});
+      EXPECT_EQ(rows.places[0], (Numbers{1.25, 4})) << length;
+      EXPECT_EQ(rows.value, (Numbers{2, 5})) << length;
+      EXPECT_EQ(rows.sigma, (Numbers{3, 0.75})) << length;
+      EXPECT_EQ(line_of_row(rows, 1), 3u);
+    }
+  }
+  const std::string long_line = "x,value\n1," + std::string(3 << 20, ' ') + "2\n";
+  EXPECT_EQ(testing::refusal([&] { read_measured_rows(parts_of(long_line, 1 << 20), "m.csv", {"x"}); }),
+            "'m.csv', line 2: more than 1048576 bytes");
+}
+
+/// The text of so many rows, a part at a time.
+TextParts text_of_rows(std::size_t count) {
+  return [count, part = std::string("x,value\n")]() mutable {
+    constexpr std::size_t most = 100'000;
+    std::string next;
+    for (std::size_t i = 0; i < std::min(count, most); ++i) next += "1,2\n";
+    count -= std::min(count, most);
+    return std::exchange(part, next);
+  };
+}
+
+// Of the text nothing remains: a row takes 8 bytes a column.
 TEST(MeasuredRows, HasALimit) {
-  std::string text = "x,value\n";
-  for (std::size_t row = 0; row < most_rows; ++row) text += "1,2\n";
-  EXPECT_EQ(read_rows(text).value.size(), most_rows);
-  EXPECT_EQ(refusal_of_rows(text + "1,2\n"), "'m.csv' has more than 100000 rows");
+  const MeasuredRows rows = read_measured_rows(text_of_rows(most_rows), "m.csv", {"x"});
+  for (const auto* column : columns_of(rows)) {
+    EXPECT_EQ(column->size(), 10'000'000u);
+    EXPECT_EQ(column->capacity(), column->size());
+  }
+  EXPECT_EQ(testing::refusal([] { read_measured_rows(text_of_rows(most_rows + 1), "m.csv", {"x"}); }),
+            "'m.csv' has more than 10000000 rows");
 }
 
 }  // namespace

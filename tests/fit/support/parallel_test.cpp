@@ -1,4 +1,4 @@
-#include "fit/input/parallel.hpp"
+#include "fit/support/parallel.hpp"
 
 #include <gtest/gtest.h>
 
