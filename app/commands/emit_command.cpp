@@ -11,12 +11,9 @@
 #include "fit/better/prove_contenders.hpp"
 #include "fit/bounds/family_subject.hpp"
 #include "fit/catalogue/family.hpp"
-#include "fit/scalars/integral.hpp"
-#include "fit/study/largest_error.hpp"
-#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/code/shader_code.hpp"
+#include "reports/code/study_code.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/statement.hpp"
@@ -39,9 +36,7 @@ std::string parse_function_name(const std::string& text) {
 
 std::string function_name(std::string_view id, const EmitOptions& options) {
   if (options.name) return parse_function_name(*options.name);
-  std::string text(id);
-  std::ranges::replace(text, '-', '_');
-  return text;
+  return shadefit::function_name(id);
 }
 
 /// The command that generates the file.
@@ -91,13 +86,6 @@ ShaderFunction function_of(const Family& family, const EmitOptions& options, con
   return {function_name(family.id, options), arguments, with_constants(family.form, constants)};
 }
 
-/// "a = -5.5, b = -7"
-std::string constants_text(const Constants& constants) {
-  return joined(constants, ", ", [](const auto& constant) {
-    return fmt::format("{} = {}", constant.first, decimal_of(constant.second));
-  });
-}
-
 /// The origin of the constants: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
 /// fitted.
 std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric,
@@ -119,14 +107,11 @@ std::string exponents_text(const std::vector<Setting>& settings) {
                      settings.size());
 }
 
-/// A function below a comment with the command and these facts, which are about numbers that are not rounded.
+/// A function below a comment with the command and these facts.
 std::string code_with(const std::vector<OthersText>& facts, const ShaderFunction& function,
                       const EmitOptions& options) {
-  std::vector<OthersText> comment{std::string(generated_line), command_of(options), OthersText()};
-  comment.insert(comment.end(), facts.begin(), facts.end());
-  if (options.precision == ShaderPrecision::float16)
-    comment.emplace_back("The rounding of constants and operations to half comes on top.");
-  return shader_code({&function, 1}, *options.language, options.precision, comment);
+  const std::vector<OthersText> head{std::string(generated_line), command_of(options), OthersText()};
+  return code_below(head, facts, function, *options.language, options.precision);
 }
 
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
@@ -150,31 +135,6 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
                   family.has_exponent() ? exponents_text(settings) : ""),
   };
   return code_with(facts, function_of(family, options, subject), options);
-}
-
-/// What is known of the largest error of a study's code: proven where there is a proof, else sampled.
-std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint) {
-  const Study& study = subject.study;
-  const ReadStudy read = read_formulas(study);
-  const std::string ranges = joined(read.axes, ", ", [](const StudyAxis& axis) {
-    return fmt::format("{} in [{}, {}]", axis.variable, axis.lower, axis.upper);
-  });
-  if (study.rows == nullptr && integral_depth(error_formula(read)) < 2) {
-    try {
-      // the fourth digit of a bound is rounded up
-      const double width = std::max(1e-6, usual_study_width(study.over.size()));
-      const StudyCertificate proof = certify_study(subject, width, checkpoint).certificate;
-      return fmt::format("Proven: {}{} error at most {} for {}, in exact arithmetic.",
-                         study.weight == "1" ? "" : "weighted ", name(study.error),
-                         decimal_above(proof.upper, 4), ranges);
-    } catch (const CheckFailed&) {
-      // The formulas have no finite bound in intervals. Samples say what they can.
-    }
-  }
-  std::vector<double> values;
-  for (const auto& [name, text] : subject.parameters) values.push_back(constant<double>(decimal_of(text)));
-  return fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.",
-                     largest_error(read, values).magnitude, ranges);
 }
 
 /// The set that `better` says to use in place of the first published one.
@@ -208,18 +168,8 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
       options.better
           ? better_subject(file, studies.front(), options, checkpoint)
           : chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
-  const Study& study = subject.study;
-  const ReadStudy read = read_formulas(study);
-  if (integral_depth(read.form) > 0)
-    throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
-  ShaderFunction function{name, {}, with_constants(read.form, subject.parameters)};
-  for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
-  const std::vector<OthersText> facts{
-      study.form + " for " + OthersText(study.rows ? "the rows of " + study.rows->file : study.target),
-      constants_text(subject.parameters) + " (" + origin + ")",
-      error_line(subject, checkpoint),
-  };
-  return code_with(facts, function, options);
+  const StudyFunction code = study_function(subject, name, origin, checkpoint);
+  return code_with(code.facts, code.function, options);
 }
 
 }  // namespace

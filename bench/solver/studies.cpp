@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <string>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
@@ -7,6 +8,7 @@
 #include "fit/squares/prepared_study.hpp"
 #include "fit/squares/solve_study.hpp"
 #include "fit/study/search.hpp"
+#include "reports/prepared/prepare.hpp"
 
 /// The Fresnel pair as a study.
 namespace shadefit::bench {
@@ -47,6 +49,20 @@ void fit_from_text(benchmark::State& state) {
   state.counters["digits"] = fit.digits;
 }
 
+/// The same as the text of a file, with what enclosures see of its curve.
+void prepare_from_text(benchmark::State& state) {
+  const std::string text =
+      "schema = 1\nid = \"pair\"\nover.c = \"0:1\"\ntarget.formula = \"(1 - c)^5\"\n"
+      "form = [{ id = \"pair\", formula = \"exp2((a c + b) c)\" }]\n";
+  StudyFit fit;
+  for (auto _ : state) {
+    fit = prepare(text).fit();
+    benchmark::DoNotOptimize(fit);
+  }
+  require(fit.status == Status::converged, "the fit did not converge");
+  state.counters["digits"] = fit.digits;
+}
+
 void fit_prepared(benchmark::State& state) {
   PreparedStudy prepared(pair);
   StudyFit fit;
@@ -64,6 +80,7 @@ void register_studies() {
   benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/prepared", fit_prepared)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/prepare/from-text", prepare_from_text)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace shadefit::bench
