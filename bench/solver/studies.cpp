@@ -39,39 +39,32 @@ void rate_of_tape(benchmark::State& state) {
   count_nodes(state);
 }
 
-void fit_from_text(benchmark::State& state) {
+template <class Fit>
+void time_fits(benchmark::State& state, const Fit& next) {
   StudyFit fit;
   for (auto _ : state) {
-    fit = solve_study(read_study(pair), {});
+    fit = next();
     benchmark::DoNotOptimize(fit);
   }
   require(fit.status == Status::converged, "the fit did not converge");
   state.counters["digits"] = fit.digits;
 }
 
-/// The same as the text of a file, with what enclosures see of its curve.
+void fit_from_text(benchmark::State& state) {
+  time_fits(state, [] { return solve_study(read_study(pair), {}); });
+}
+
+/// By the interface for programs, from the text of a file.
 void prepare_from_text(benchmark::State& state) {
   const std::string text =
       "schema = 1\nid = \"pair\"\nover.c = \"0:1\"\ntarget.formula = \"(1 - c)^5\"\n"
       "form = [{ id = \"pair\", formula = \"exp2((a c + b) c)\" }]\n";
-  StudyFit fit;
-  for (auto _ : state) {
-    fit = prepare(text).fit();
-    benchmark::DoNotOptimize(fit);
-  }
-  require(fit.status == Status::converged, "the fit did not converge");
-  state.counters["digits"] = fit.digits;
+  time_fits(state, [&] { return prepare(text).fit(); });
 }
 
 void fit_prepared(benchmark::State& state) {
   PreparedStudy prepared(pair);
-  StudyFit fit;
-  for (auto _ : state) {
-    fit = prepared.fit({-5, -7});
-    benchmark::DoNotOptimize(fit);
-  }
-  require(fit.status == Status::converged, "the fit did not converge");
-  state.counters["digits"] = fit.digits;
+  time_fits(state, [&] { return prepared.fit({-5, -7}); });
 }
 
 }  // namespace

@@ -93,11 +93,12 @@ StudyFit errors_of_given(ReadStudy study) {
 }
 
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
-  if (!objective.study.held.empty()) {
-    const ReadStudy formulas = read_formulas(objective.study);
-    if (formulas.parameters.empty()) return errors_of_given(formulas);
-  }
-  ReadStudy read = read_study(objective.study);
+  const Study& study = objective.study;
+  return fit_study(objective, study.held.empty() ? read_study(study) : read_formulas(study), checkpoint);
+}
+
+StudyFit fit_study(const StudyObjective& objective, ReadStudy read, const Checkpoint& checkpoint) {
+  if (read.parameters.empty()) return errors_of_given(std::move(read));
   take_limits(read);
   const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
     if (objective.norm == Norm::least_squares)

@@ -33,6 +33,10 @@ Study with_cuts(Study study);
 /// `solve_study` and `solve_minimax_study`.
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 
+/// The same where somebody has read the study of the objective.
+StudyFit fit_study(const StudyObjective& objective, ReadStudy read,
+                   const Checkpoint& checkpoint = keep_going);
+
 /// The same where somebody knows starts of all free parameters. If they do not agree on an answer, the basins
 /// are searched as for `fit_study`.
 StudyFit fit_from_starts(const StudyObjective& objective, const std::vector<std::vector<double>>& starts);

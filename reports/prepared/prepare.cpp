@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "fit/bounds/study_certificate.hpp"
 #include "fit/catalogue/study_file.hpp"
 #include "fit/exchange/constrained_study.hpp"
@@ -15,61 +12,34 @@
 #include "reports/studies/study_certificate_json.hpp"
 
 namespace shadefit {
-namespace {
 
-/// The study of a file with one value of each given constant.
-Study study_of(StudyFile& file, const std::map<std::string, std::string>& given) {
-  for (const auto& [name, value] : given) {
-    const auto found = std::ranges::find(file.given, name, [](const auto& of) { return of.first; });
-    if (found == file.given.end()) throw UserError(fmt::format(": it has no given constant '{}'", name));
-    found->second = {value};
-  }
-  std::vector<Study> studies = combinations(file.study, file.given);
-  if (studies.size() > 1)
-    throw UserError(fmt::format(": its given constants have {} values: name one of each", studies.size()));
-  return std::move(studies.front());
-}
-
-/// The fit of the first form of a file.
-StudyObjective first_objective(StudyFile file, const std::map<std::string, std::string>& given) {
-  if (!file.table.empty()) throw UserError(": it has a table, which a text has no folder for");
+Prepared::Prepared(const std::string& text) {
+  const StudyFile file = read_study_file(text, "text");
   const StudyForm& form = file.forms.front();
-  Study study = study_of(file, given);
-  take_form(study, form);
-  study.starts = published_starts(file, form.id, study);
-  try {
-    const ReadStudy read = read_formulas(study);
-    if (read.residual) require_residual(read);
-  } catch (const StudyFault& fault) {
-    throw UserError(fault_in(file, fault, form.id));
-  }
-  return objective_of(study, file.norm, file.constraints);
-}
-
-}  // namespace
-
-Prepared::Prepared(const std::string& text, const std::map<std::string, std::string>& given) {
-  StudyFile file = read_study_file(text, "text");
   id_ = file.id;
   try {
-    objective_ = first_objective(std::move(file), given);
+    if (!file.table.empty()) throw UserError(": it has a table, which a text has no folder for");
+    const std::vector<Study> studies = combinations(file.study, file.given);
+    if (studies.size() > 1)
+      throw UserError(fmt::format(": its given constants have {} values: leave one of each", studies.size()));
+    Study study = studies.front();
+    take_form(study, form);
+    study.starts = published_starts(file, form.id, study);
+    read_ = read_formulas(study);
+    if (read_->residual) require_residual(*read_);
+    objective_ = objective_of(study, file.norm, file.constraints);
+  } catch (const StudyFault& fault) {
+    throw UserError(fmt::format("study '{}'{}", id_, fault_in(file, fault, form.id)));
   } catch (const UserError& error) {
     throw UserError(fmt::format("study '{}'{}", id_, error.what()));
   }
 }
 
-Prepared::Prepared(const Prepared& other) : id_(other.id_), objective_(other.objective_), fit_(other.fit_) {}
-
-Prepared& Prepared::operator=(Prepared other) {
-  std::swap(id_, other.id_);
-  std::swap(objective_, other.objective_);
-  std::swap(fit_, other.fit_);
-  std::swap(squares_, other.squares_);
-  return *this;
-}
+Prepared::Prepared(const Prepared& other)
+    : id_(other.id_), objective_(other.objective_), read_(other.read_), fit_(other.fit_) {}
 
 const StudyFit& Prepared::fit() {
-  if (!fit_) fit_ = fit_study(objective_);
+  if (!fit_) fit_ = fit_study(objective_, *read_);
   return *fit_;
 }
 
@@ -86,7 +56,7 @@ StudyFit Prepared::fit(const std::vector<std::vector<double>>& starts) {
 StudySubject Prepared::subject(const Constants& constants) {
   Study study = objective_.study;
   study.residual.clear();  // a proof is of the form and its target
-  const std::vector<std::string> names = read_formulas(study).parameters;
+  const std::vector<std::string>& names = read_->parameters;
   const bool is_fitted = constants.empty() && !names.empty();
   if (is_fitted && fit().status != Status::converged)
     throw UserError(

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,13 +27,13 @@ struct CertifiedError {
 /// of `fit`. What a user can mend throws UserError. One thread uses it at a time; a copy shares nothing.
 class Prepared {
  public:
-  /// A file in TOML (docs/studies.md). `given` names one value of each given constant that has several in the
-  /// file. Throws UserError for what `shadefit fit` refuses, and for a table: the text has no folder.
-  explicit Prepared(const std::string& text, const std::map<std::string, std::string>& given = {});
+  /// A file in TOML (docs/studies.md). Throws UserError for what `shadefit fit` refuses, for a table, as the
+  /// text has no folder, and for a given constant with several values.
+  explicit Prepared(const std::string& text);
   Prepared(const Prepared& other);
   Prepared(Prepared&&) = default;
-  Prepared& operator=(Prepared other);
-  ~Prepared() = default;
+  Prepared& operator=(const Prepared& other) { return *this = Prepared(other); }
+  Prepared& operator=(Prepared&&) = default;
 
   /// The fit that `shadefit fit` finds, without a start. It is computed once.
   const StudyFit& fit();
@@ -56,13 +55,14 @@ class Prepared {
 
   std::string id_;
   StudyObjective objective_;
+  std::optional<ReadStudy> read_;
   std::optional<StudyFit> fit_;
   std::unique_ptr<PreparedStudy> squares_;  ///< from the first fit with starts on
 };
 
 /// A study from its text.
-inline Prepared prepare(const std::string& text, const std::map<std::string, std::string>& given = {}) {
-  return Prepared(text, given);
+inline Prepared prepare(const std::string& text) {
+  return Prepared(text);
 }
 
 }  // namespace shadefit
