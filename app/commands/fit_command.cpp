@@ -155,8 +155,9 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
     extras.proofs.emplace_back();
     if (is_answer && options.certify) {
       const double width = usual_study_width(study.read.axes.size());
-      extras.proofs.back() = {certify_study(fitted_subject(study.asked(), study.fit), width, checkpoint),
-                              "fitted"};
+      extras.proofs.back() = {
+          certify_study(subject_of(study.asked(), constants_of(study.asked(), study.fit)), width, checkpoint),
+          "fitted"};
     }
     const auto rounded = [&](const std::optional<NumberFormat>& format, const auto& round) {
       if (!format) return RoundedSets{};

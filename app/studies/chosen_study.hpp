@@ -7,7 +7,6 @@
 #include "app/options/options.hpp"
 #include "fit/bounds/study_certificate.hpp"
 #include "fit/catalogue/study_file.hpp"
-#include "fit/study/study_fit.hpp"
 #include "fit/support/checkpoint.hpp"
 
 namespace shadefit {
@@ -32,8 +31,5 @@ struct ChosenStudySubject {
 ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
                                         const std::optional<Parameters>& parameters,
                                         const FitOptions& options, const Checkpoint& checkpoint);
-
-/// The fitted and the held constants of a fit, as a proof takes them.
-StudySubject fitted_subject(const Study& study, const StudyFit& fit);
 
 }  // namespace shadefit

@@ -1,7 +1,5 @@
 #include "app/studies/find_study.hpp"
 
-#include "fit/catalogue/read_study_file.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -83,15 +81,6 @@ bool before(const fs::path& a, const fs::path& b) {
 }
 
 }  // namespace
-
-std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form) {
-  const StudyPart& part = fault.part;
-  const std::string key = part.option.substr(part.option.find_first_not_of('-'));
-  const std::string& name = key == "form" ? form : part.name;
-  const auto line = file.lines.find(name.empty() ? key : key + " " + name);
-  return fmt::format("{}: {}{}", line == file.lines.end() ? "" : fmt::format(", line {}", line->second), key,
-                     fault.rule);
-}
 
 std::vector<fs::path> study_folders(const std::vector<std::string>& given) {
   std::vector<fs::path> folders(given.begin(), given.end());

@@ -51,10 +51,6 @@ LoadedStudies load_studies(const std::vector<std::filesystem::path>& paths);
 void take_rows(StudyFile& file, const TextParts& text, const std::string& table, const std::string& measured,
                const OthersText& shown);
 
-/// A fault of a formula in a file: its line and key instead of an option, ", line 6: target: formula
-/// .."; the key alone, if the line is not known. `form` is the id of the form that was read.
-std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form);
-
 /// The most bytes of a study: pages of text.
 inline constexpr std::uintmax_t most_study_bytes = 1U << 20;
 

@@ -8,7 +8,6 @@
 
 #include "app/options/fit_arguments.hpp"
 #include "fit/rounding/round_study.hpp"
-#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/study_verdict.hpp"
 
@@ -22,27 +21,6 @@ std::string option_of_study_fit(const FitOptions& options) {
     if (range.density != "1") return fmt::format("--over '{}' with a density", range.variable);
   }
   return "";
-}
-
-/// The study without what counts for its fit alone.
-Study without_fit(Study study) {
-  study.held.clear();
-  study.starts.clear();
-  study.known_starts.clear();
-  study.near_peak = {};
-  study.residual.clear();
-  study.cuts.reset();
-  for (StudyRange& range : study.over) range.density = "1";
-  return study;
-}
-
-/// The fitted and the held values.
-Constants constants_of(const Study& study, const StudyFit& fit) {
-  Constants constants;
-  for (std::size_t i = 0; i < fit.names.size(); ++i)
-    constants.emplace_back(fit.names[i], hex_text(fit.parameters[i]));
-  for (const Held& held : study.held) constants.emplace_back(held.parameter, to_text(held.value));
-  return constants;
 }
 
 Constants fitted_constants(const StudyObjective& objective, const std::optional<NumberFormat>& round,
@@ -62,21 +40,16 @@ Constants fitted_constants(const StudyObjective& objective, const std::optional<
 
 }  // namespace
 
-StudySubject fitted_subject(const Study& study, const StudyFit& fit) {
-  const Study bare = without_fit(study);
-  return {bare, in_order(constants_of(study, fit), read_formulas(bare).parameters)};
-}
-
 ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
                                         const std::optional<Parameters>& parameters,
                                         const FitOptions& options, const Checkpoint& checkpoint) {
   const StudyForm& form = file.forms.front();
   Study whole = study;
   take_form(whole, form);
-  const Study bare = without_fit(whole);
+  const Study bare = subject_of(whole, {}).study;
   const std::vector<std::string> names = read_formulas(bare).parameters;
   const auto chosen = [&](const Constants& constants, std::string_view from, const OthersText& origin) {
-    ChosenStudySubject result{{bare, in_order(constants, names)}, from, origin};
+    ChosenStudySubject result{subject_of(whole, constants), from, origin};
     const std::string fault = fault_of_constants(result.subject.parameters, names, "the form");
     if (!fault.empty()) throw UserError(fault);
     return result;

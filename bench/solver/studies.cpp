@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <string>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
@@ -7,6 +8,7 @@
 #include "fit/squares/prepared_study.hpp"
 #include "fit/squares/solve_study.hpp"
 #include "fit/study/search.hpp"
+#include "reports/prepared/prepare.hpp"
 
 /// The Fresnel pair as a study.
 namespace shadefit::bench {
@@ -37,25 +39,32 @@ void rate_of_tape(benchmark::State& state) {
   count_nodes(state);
 }
 
-void fit_from_text(benchmark::State& state) {
+template <class Fit>
+void time_fits(benchmark::State& state, const Fit& next) {
   StudyFit fit;
   for (auto _ : state) {
-    fit = solve_study(read_study(pair), {});
+    fit = next();
     benchmark::DoNotOptimize(fit);
   }
   require(fit.status == Status::converged, "the fit did not converge");
   state.counters["digits"] = fit.digits;
 }
 
+void fit_from_text(benchmark::State& state) {
+  time_fits(state, [] { return solve_study(read_study(pair), {}); });
+}
+
+/// By the interface for programs, from the text of a file.
+void prepare_from_text(benchmark::State& state) {
+  const std::string text =
+      "schema = 1\nid = \"pair\"\nover.c = \"0:1\"\ntarget.formula = \"(1 - c)^5\"\n"
+      "form = [{ id = \"pair\", formula = \"exp2((a c + b) c)\" }]\n";
+  time_fits(state, [&] { return prepare(text).fit(); });
+}
+
 void fit_prepared(benchmark::State& state) {
   PreparedStudy prepared(pair);
-  StudyFit fit;
-  for (auto _ : state) {
-    fit = prepared.fit({-5, -7});
-    benchmark::DoNotOptimize(fit);
-  }
-  require(fit.status == Status::converged, "the fit did not converge");
-  state.counters["digits"] = fit.digits;
+  time_fits(state, [&] { return prepared.fit({-5, -7}); });
 }
 
 }  // namespace
@@ -64,6 +73,7 @@ void register_studies() {
   benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/prepared", fit_prepared)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/prepare/from-text", prepare_from_text)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace shadefit::bench

@@ -63,18 +63,14 @@ std::string near_text(const Study& study, const std::vector<double>& place) {
 }  // namespace
 
 StudySubject subject_of(const Study& study, const StudyContender& contender) {
-  StudySubject subject{study, {}};
-  subject.study.form = contender.formula;
-  subject.study.held.clear();
-  subject.study.starts.clear();
-  for (StudyRange& range : subject.study.over) range.density = "1";  // only a fit has a density
+  Study of_form = study;
+  of_form.form = contender.formula;
   Constants constants;
   for (std::size_t i = 0; i < contender.names.size(); ++i)
     constants.emplace_back(contender.names[i],
                            contender.printed.empty() ? hex_text(contender.values[i]) : contender.printed[i]);
   for (const Held& held : study.held) constants.emplace_back(held.parameter, hex_text(held.value));
-  subject.parameters = in_order(std::move(constants), read_formulas(subject.study).parameters);
-  return subject;
+  return subject_of(std::move(of_form), constants);
 }
 
 void prove_properties(const Study& study, double size, StudyContender& contender,

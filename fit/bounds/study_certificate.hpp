@@ -8,6 +8,7 @@
 #include "fit/proof/proof.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Proofs of the largest error of a user's own form.
@@ -21,6 +22,13 @@ struct StudySubject {
   Study study;                ///< without densities, held parameters and starts, which belong to a fit
   Constants parameters = {};  ///< of the form, in the order in which they first appear
 };
+
+/// The subject of these constants of a study, in the order of its form: without what counts for a fit alone.
+/// `fault_of` says whether they are those of the form.
+StudySubject subject_of(Study study, const Constants& constants);
+
+/// The fitted and the held values of a fit.
+Constants constants_of(const Study& study, const StudyFit& fit);
 
 /// One line that says why a subject is invalid, or an empty text: formulas that cannot be read, an
 /// integral inside another one, or other parameters than those of the form.

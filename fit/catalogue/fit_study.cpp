@@ -111,14 +111,10 @@ std::optional<StudyFit> fit_from_known_starts(const StudyObjective& objective) {
   return std::nullopt;
 }
 
-/// The fit of a study whose variable is its own.
-StudyFit fit_in_its_variable(const StudyObjective& objective, const Checkpoint& checkpoint) {
-  if (!objective.study.held.empty()) {
-    const ReadStudy formulas = read_formulas(objective.study);
-    if (formulas.parameters.empty()) return errors_of_given(formulas);
-  }
+/// The fit of a study whose variable is its own, and whose formulas are read.
+StudyFit fit_in_its_variable(const StudyObjective& objective, ReadStudy read, const Checkpoint& checkpoint) {
+  if (read.parameters.empty()) return errors_of_given(std::move(read));
   if (auto known = fit_from_known_starts(objective)) return *std::move(known);
-  ReadStudy read = read_study(objective.study);
   take_limits(read);
   const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
     if (objective.norm == Norm::least_squares)
@@ -159,6 +155,20 @@ void take_cosines(StudyFit& fit, const PeakVariable& variable) {
   for (AlternationPoint& point : fit.alternation) point.at = variable.cosine_at(point.at.cos_theta);
 }
 
+/// What is read of a study before its fit: all of its parameters may be held.
+ReadStudy read_to_fit(const Study& study) {
+  return study.held.empty() ? read_study(study) : read_formulas(study);
+}
+
+/// The largest errors that a fit from known starts lacks.
+void add_errors(StudyFit& fit, const Study& study) {
+  if (fit.status != Status::converged || study.rows) return;
+  if (!fit.max_abs_error.at.empty() && study.weight == "1") return;
+  const ReadStudy read = read_formulas(study);
+  if (fit.max_abs_error.at.empty()) fit.max_abs_error = largest_error(read, fit.parameters);
+  if (study.weight != "1") fit.max_weighted_error = largest_weighted_error(read, fit.parameters).magnitude;
+}
+
 /// Fits a study near its peak. Without `has_errors` the largest errors of a fit from known starts are left
 /// out.
 StudyFit fit_near_peak(const StudyObjective& objective, bool has_errors, const Checkpoint& checkpoint) {
@@ -167,13 +177,8 @@ StudyFit fit_near_peak(const StudyObjective& objective, bool has_errors, const C
   near.study = near_peak(objective.study);
   for (double& place : near.constraints.exact_at) place = variable.value_at({place, 1 - place});
   try {
-    StudyFit fit = fit_in_its_variable(near, checkpoint);
-    if (has_errors && fit.status == Status::converged && !near.study.rows) {
-      const ReadStudy read = read_formulas(near.study);
-      if (fit.max_abs_error.at.empty()) fit.max_abs_error = largest_error(read, fit.parameters);
-      if (near.study.weight != "1")
-        fit.max_weighted_error = largest_weighted_error(read, fit.parameters).magnitude;
-    }
+    StudyFit fit = fit_in_its_variable(near, read_to_fit(near.study), checkpoint);
+    if (has_errors) add_errors(fit, near.study);
     if (has_peak(objective.study)) take_cosines(fit, variable);
     return fit;
   } catch (const Infeasible& error) {
@@ -205,6 +210,13 @@ StudyFit errors_of_given(ReadStudy study) {
 
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
   return fit_near_peak(objective, true, checkpoint);
+}
+
+StudyFit fit_study(const StudyObjective& objective, ReadStudy read, const Checkpoint& checkpoint) {
+  if (has_peak(objective.study)) return fit_study(objective, checkpoint);
+  StudyFit fit = fit_in_its_variable(objective, std::move(read), checkpoint);
+  add_errors(fit, objective.study);
+  return fit;
 }
 
 StudyFit fit_constants(const StudyObjective& objective, const Checkpoint& checkpoint) {

@@ -34,6 +34,10 @@ Study with_cuts(Study study);
 /// `solve_minimax_study`.
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 
+/// The same where somebody has read the study of the objective.
+StudyFit fit_study(const StudyObjective& objective, ReadStudy read,
+                   const Checkpoint& checkpoint = keep_going);
+
 /// The same for its constants, digits and rms error: a fit from known starts has no largest error yet.
 StudyFit fit_constants(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
 

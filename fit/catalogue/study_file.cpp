@@ -44,6 +44,15 @@ void take_form(Study& study, const StudyForm& form) {
   }
 }
 
+std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form) {
+  const StudyPart& part = fault.part;
+  const std::string key = part.option.substr(part.option.find_first_not_of('-'));
+  const std::string& name = key == "form" ? form : part.name;
+  const auto line = file.lines.find(name.empty() ? key : key + " " + name);
+  return fmt::format("{}: {}{}", line == file.lines.end() ? "" : fmt::format(", line {}", line->second), key,
+                     fault.rule);
+}
+
 bool is_for(const PublishedSet& set, const Study& study) {
   return std::all_of(set.given.begin(), set.given.end(), [&](const auto& given) {
     const auto found = study.given.find(given.first);

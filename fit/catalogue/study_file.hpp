@@ -99,6 +99,16 @@ struct StudyFile {
   std::map<std::string, long> lines = {};
 };
 
+/// Reads a study in TOML (docs/studies.md has its keys). Numbers are texts or formulas, so that no digit is
+/// lost. Throws UserError with one line that names the file, the line and the rule: for a text that is not
+/// TOML, an unknown key, a missing one, a value of another type, another schema, and a published set of a
+/// form that is not there. The name is that of messages, and may be shown.
+StudyFile read_study_file(const std::string& text, const std::string& name);
+
+/// A fault of a formula in a file: its line and key instead of an option, ", line 6: target: formula
+/// .."; the key alone, if the line is not known. `form` is the id of the form that was read.
+std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form);
+
 /// Whether a set was published for the given constants of a study.
 bool is_for(const PublishedSet& set, const Study& study);
 

@@ -15,7 +15,6 @@
 #include "fit/squares/solve_study.hpp"
 #include "fit/steps/contacts.hpp"
 #include "fit/steps/digits.hpp"
-#include "fit/steps/newton.hpp"
 #include "fit/steps/quadratic_programme.hpp"
 #include "fit/steps/scaled_hessian.hpp"
 #include "fit/study/largest_error.hpp"

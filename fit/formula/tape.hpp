@@ -97,6 +97,9 @@ class Tape {
         const TwoLanes* b = step.operation == Operation::negate ? a : operand(1);
         return wide_loops().combine(step.operation, a, b, result, count / WideLoops::group);
       }
+      constexpr auto exp2_index = find_function(functions_of_one<T>, "exp2") - functions_of_one<T>.data();
+      if (step.operation == Operation::function && step.index == exp2_index && count % WideLoops::group == 0)
+        return wide_loops().exp2(operand(0), result, count / WideLoops::group);
     }
     const auto each = [&](const auto& value) {
       for (std::size_t i = 0; i < count; ++i) result[i] = value(i);

@@ -1,6 +1,7 @@
 #include "fit/formula/wide_loops.hpp"
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 
 namespace shadefit {
@@ -8,6 +9,8 @@ namespace {
 
 using OfTwo = double __attribute__((vector_size(16)));
 using OfFour = double __attribute__((vector_size(32)));
+using BitsOfTwo = std::uint64_t __attribute__((vector_size(16)));
+using BitsOfFour = std::uint64_t __attribute__((vector_size(32)));
 
 template <class Register>
 constexpr std::size_t packs_in = sizeof(Register) / sizeof(TwoLanes);
@@ -56,6 +59,30 @@ template <class Register>
   }
 }
 
+/// The steps of `Scalar<TwoLanes>::exp2`.
+template <class Register, class Bits>
+[[gnu::always_inline]] inline void exp2(const TwoLanes* x, TwoLanes* result, std::size_t groups) {
+  using Range = ExponentLimits<double>;
+  each<Register>(
+      x, x, result, groups,
+      [](const Register& at, const Register&, Register& r) __attribute__((always_inline)) {
+        constexpr auto& c = detail::reciprocal_factorials;
+        const Register least = Register{} + Range::least, largest = Register{} + Range::largest;
+        const Register above = at < least ? least : at;
+        const Register within = largest < above ? largest : above;
+        const Register shifted = within + Range::rounder;
+        const Register rest = (within - (shifted - Range::rounder)) * ln2<double>(), square = rest * rest;
+        Register even = Register{} + c[10], odd = Register{} + c[11];
+        for (std::size_t i = 10; i > 0; i -= 2) {
+          even = even * square + c[i - 2];
+          odd = odd * square + c[i - 1];
+        }
+        const Register power = 1.0 + (rest + square * (even + rest * odd));
+        const Bits exponent = __builtin_bit_cast(Bits, shifted) << Range::mantissa_bits;
+        r = __builtin_bit_cast(Register, __builtin_bit_cast(Bits, power) + exponent);
+      });
+}
+
 /// The sums of N columns beside one that is weighted. Their parts do not wait for each other.
 template <std::size_t N, class Register>
 [[gnu::always_inline]] inline void add_some(const TwoLanes* weighted, const TwoLanes* const* columns,
@@ -101,19 +128,22 @@ template <class Register>
   }
 }
 
-constexpr WideLoops of_two{combine<OfTwo>, add_products<OfTwo>};
+constexpr WideLoops of_two{combine<OfTwo>, exp2<OfTwo, BitsOfTwo>, add_products<OfTwo>};
 
 #ifdef __x86_64__
 [[gnu::target("avx2")]] void combine_of_four(Operation op, const TwoLanes* a, const TwoLanes* b,
                                              TwoLanes* result, std::size_t groups) {
   combine<OfFour>(op, a, b, result, groups);
 }
+[[gnu::target("avx2")]] void exp2_of_four(const TwoLanes* x, TwoLanes* result, std::size_t groups) {
+  exp2<OfFour, BitsOfFour>(x, result, groups);
+}
 [[gnu::target("avx2")]] void add_products_of_four(const TwoLanes* weights,
                                                   std::span<const TwoLanes* const> columns, TwoLanes* sums,
                                                   std::size_t groups) {
   add_products<OfFour>(weights, columns, sums, groups);
 }
-constexpr WideLoops of_four{combine_of_four, add_products_of_four};
+constexpr WideLoops of_four{combine_of_four, exp2_of_four, add_products_of_four};
 #endif
 
 }  // namespace

@@ -18,6 +18,9 @@ struct WideLoops {
   /// result[i] = a[i] op b[i], where `is_wide(op)`; or -a[i].
   void (*combine)(Operation op, const TwoLanes* a, const TwoLanes* b, TwoLanes* result, std::size_t groups);
 
+  /// result[i] = exp2(x[i]), with the bits of `Scalar<TwoLanes>`.
+  void (*exp2)(const TwoLanes* x, TwoLanes* result, std::size_t groups);
+
   /// Adds weights[k] * columns[i][k] * columns[j][k] to the sum of (i, j), for each j <= i: (0, 0), (1, 0),
   /// (1, 1), (2, 0) .. A sum has `group` parts: part p is that of the p-th packs of the groups. At most
   /// `most_groups` at a time.

@@ -102,9 +102,10 @@ inline constexpr auto reciprocal_factorials = [] {
 }();
 
 /// e^r - 1 for |r| <= log(2)/2 by its power series up to r^13: the next term is 1.3e-17 of the result. Even
-/// and odd terms are summed side by side: two chains of half the length.
+/// and odd terms are summed side by side: two chains of half the length. Inlined, those of neighbouring nodes
+/// do not wait for each other.
 template <class T>
-T expm1_of_rest(const T& r) {
+[[gnu::always_inline]] inline T expm1_of_rest(const T& r) {
   constexpr auto& c = reciprocal_factorials;
   const T r2 = r * r;
   T even = c[10], odd = c[11];

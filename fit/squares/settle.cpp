@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "fit/steps/digits.hpp"
-#include "fit/steps/newton.hpp"
 #include "fit/steps/scaled_hessian.hpp"
 
 namespace shadefit {

@@ -2,47 +2,17 @@
 
 #include <ceres/tiny_solver.h>
 
-#include <algorithm>
-#include <array>
-
 namespace shadefit {
 namespace {
 
-/// As many residuals as fit into matrices on the stack.
-constexpr int most_on_stack = 12;
-
-/// For one or two parameters the sizes are known to the compiler, and nothing is allocated. Residuals that
-/// are missing are 0. Each size takes seconds to compile.
-template <int N>
-class OnStack {
+/// Residuals for the solver. Where their sizes are known to the compiler, nothing is allocated.
+template <int N, int Count>
+class Function {
  public:
   using Scalar = double;
-  enum { NUM_RESIDUALS = most_on_stack, NUM_PARAMETERS = N };
+  enum { NUM_RESIDUALS = Count, NUM_PARAMETERS = N };
 
-  explicit OnStack(const Residuals& residuals) : residuals_(residuals) {}
-
-  int NumParameters() const { return N; }
-  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
-    std::fill_n(residuals, most_on_stack, 0.0);
-    std::array<double, most_on_stack * N> columns;
-    residuals_.evaluate(parameters, residuals, jacobian == nullptr ? nullptr : columns.data());
-    if (jacobian == nullptr) return true;
-    std::fill_n(jacobian, most_on_stack * N, 0.0);
-    for (Eigen::Index i = 0; i < N; ++i)
-      std::copy_n(columns.data() + i * residuals_.count, residuals_.count, jacobian + i * most_on_stack);
-    return true;
-  }
-
- private:
-  const Residuals& residuals_;
-};
-
-class OfAnySize {
- public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
-
-  OfAnySize(const Residuals& residuals, Eigen::Index parameters)
+  Function(const Residuals& residuals, Eigen::Index parameters)
       : residuals_(residuals), parameters_(parameters) {}
 
   int NumResiduals() const { return static_cast<int>(residuals_.count); }
@@ -57,9 +27,9 @@ class OfAnySize {
   Eigen::Index parameters_;
 };
 
-template <class Function>
-int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
-  using Solver = ceres::TinySolver<Function>;
+template <int N, int Count>
+int descend_by(const Residuals& residuals, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
+  using Solver = ceres::TinySolver<Function<N, Count>>;
   Solver solver;
   solver.options.parameter_tolerance = patience.last_step;
   solver.options.max_num_iterations = patience.most_steps;
@@ -67,7 +37,7 @@ int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Ei
   solver.options.gradient_tolerance = 0;
   solver.options.cost_threshold = 0;
   typename Solver::Parameters p = parameters;
-  const int steps = solver.Solve(function, &p).iterations;
+  const int steps = solver.Solve(Function<N, Count>(residuals, parameters.size()), &p).iterations;
   parameters = p;
   return steps;
 }
@@ -75,10 +45,11 @@ int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Ei
 }  // namespace
 
 int descend(const Residuals& residuals, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
-  const bool is_small = residuals.count <= most_on_stack;
-  if (is_small && parameters.size() == 1) return descend_by(OnStack<1>(residuals), patience, parameters);
-  if (is_small && parameters.size() == 2) return descend_by(OnStack<2>(residuals), patience, parameters);
-  return descend_by(OfAnySize(residuals, parameters.size()), patience, parameters);
+  // A projection has one residual more than parameters. Each size takes seconds to compile.
+  const bool is_projection = residuals.count == parameters.size() + 1;
+  if (is_projection && parameters.size() == 1) return descend_by<1, 2>(residuals, patience, parameters);
+  if (is_projection && parameters.size() == 2) return descend_by<2, 3>(residuals, patience, parameters);
+  return descend_by<Eigen::Dynamic, Eigen::Dynamic>(residuals, patience, parameters);
 }
 
 }  // namespace shadefit

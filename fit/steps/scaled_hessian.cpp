@@ -12,6 +12,17 @@ ParameterMatrix<double> ScaledHessian::inverse() const {
   return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
 }
 
+bool is_minimum(ParameterMatrix<double> hessian) {
+  const Eigen::Index n = hessian.rows();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!(hessian(k, k) > 0)) return false;
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      for (Eigen::Index j = k + 1; j < n; ++j) hessian(i, j) -= hessian(i, k) * hessian(k, j) / hessian(k, k);
+    }
+  }
+  return true;
+}
+
 void clear_rounding(std::span<double> parameters, const ParameterMatrix<double>& hessian,
                     double target_norm) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {

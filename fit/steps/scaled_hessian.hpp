@@ -22,6 +22,9 @@ struct ScaledHessian {
   ParameterMatrix<double> scaled;
 };
 
+/// Whether a point with this Hessian is a minimum: each pivot of L D L^T is positive.
+bool is_minimum(ParameterMatrix<double> hessian);
+
 /// A parameter counts as 0 if it moves the form by less than this share of the target. Then its digits are
 /// those of that share.
 inline constexpr double negligible = 1e-6;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,17 +28,20 @@ struct AxisNode {
 /// uses it at a time.
 class Density {
  public:
-  explicit Density(const StudyAxis& axis)
-      : axis_(axis),
-        narrow_(tape_of(axis.density, variables()), {}),
-        wide_(tape_of(axis.density, variables()), {}) {}
+  explicit Density(const StudyAxis& axis) : axis_(axis) {
+    if (is_one(axis.density)) return;
+    const std::array variables{axis.variable};
+    narrow_.emplace(tape_of(axis.density, variables), std::span<const double>());
+    wide_.emplace(narrow_->tape(), std::span<const long double>());
+  }
 
   long double at(double root, long double distance) {
+    if (!narrow_) return 1;
     const long double x = root + distance;
-    narrow_.run(std::array{static_cast<double>(x)});
-    wide_.run(std::array{x});
-    const double narrow = narrow_.output(0);
-    const long double wide = wide_.output(0);
+    narrow_->run(std::array{static_cast<double>(x)});
+    wide_->run(std::array{x});
+    const double narrow = narrow_->output(0);
+    const long double wide = wide_->output(0);
     // Long double has eleven digits more: what double loses to some ulps, it does not.
     constexpr long double few_ulps = 8 * std::numeric_limits<double>::epsilon();
     if (std::abs(narrow - wide) <= few_ulps * std::abs(wide)) return wide;
@@ -45,32 +50,26 @@ class Density {
   }
 
  private:
-  std::vector<std::string> variables() const { return {axis_.variable}; }
-
   const StudyAxis& axis_;
-  TapeProgram<double> narrow_;
-  TapeProgram<long double> wide_;
+  std::optional<TapeProgram<double>> narrow_;  ///< empty where it is 1
+  std::optional<TapeProgram<long double>> wide_;
 };
 
 /// Appends the nodes between an end that may be a root and the other end.
 inline void append_panel(const StudyAxis& axis, Density& density_of_axis, double root, double other,
                          int root_power, unsigned rule_size, std::vector<AxisNode>& nodes) {
   const long double length = static_cast<long double>(other) - static_cast<long double>(root);
-  const bool is_uniform = is_one(axis.density);
   visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
     long double lower_power = 1;
     for (int i = 1; i < root_power; ++i) lower_power *= u;
     const long double distance = length * lower_power * u;
-    long double weight = w * std::abs(length) * static_cast<long double>(root_power) * lower_power;
-    if (!is_uniform) {
-      const long double density = density_of_axis.at(root, distance);
-      if (!(density >= 0) || !std::isfinite(density))
-        throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
-                        axis.variable + " = " + to_text(static_cast<double>(root + distance)) + " it is " +
-                        to_text(static_cast<double>(density)));
-      weight *= density;
-    }
-    nodes.push_back({static_cast<long double>(root) + distance, weight});
+    const long double weight = w * std::abs(length) * static_cast<long double>(root_power) * lower_power;
+    const long double density = density_of_axis.at(root, distance);
+    if (!(density >= 0) || !std::isfinite(density))
+      throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
+                      axis.variable + " = " + to_text(static_cast<double>(root + distance)) + " it is " +
+                      to_text(static_cast<double>(density)));
+    nodes.push_back({static_cast<long double>(root) + distance, weight * density});
   });
 }
 

@@ -35,7 +35,7 @@ bool factorise_in_place(Triangle& a) {
       a(i, j) = root == 0 ? 0 : product / root;
     }
   }
-  a.triangularView<Eigen::StrictlyLower>().setZero();
+  for (Eigen::Index j = 0; j < n; ++j) std::fill_n(&a(0, j) + j + 1, n - j - 1, 0.0);
   return true;
 }
 
@@ -76,6 +76,20 @@ Projection::Projection(const StudyError& error, const SampledStudy<double>& samp
   columns_.insert(columns_.end(), nonlinear_.begin(), nonlinear_.end());
   linear_columns_.push_back(error_column);
   columns_.push_back(error_column);
+}
+
+void Projection::keep(std::vector<double>& numbers) const {
+  const Triangle& triangle = last_.triangle;
+  numbers.insert(numbers.end(), last_.parameters.begin(), last_.parameters.end());
+  numbers.insert(numbers.end(), triangle.data(), triangle.data() + triangle.size());
+}
+
+void Projection::recall(std::span<const double> numbers) const {
+  const auto size = static_cast<Eigen::Index>(columns_.size());
+  std::copy_n(numbers.begin(), last_.parameters.size(), last_.parameters.begin());
+  last_.triangle = Eigen::Map<const Matrix>(&numbers[last_.parameters.size()], size, size);
+  last_.is_known = true;
+  accepted_.is_known = false;
 }
 
 bool Projection::is_at(const Point& point, const double* q) const {
@@ -140,6 +154,7 @@ void Projection::move_to(const double* q) const {
 }
 
 double Projection::linear_share() const {
+  if (linear_.empty()) return 0;
   const auto errors = last_.triangle.col(last_.triangle.cols() - 1);
   const double square = errors.squaredNorm();
   return square > 0 ? errors.head(static_cast<Eigen::Index>(linear_.size())).squaredNorm() / square : 0;
@@ -155,17 +170,20 @@ void Projection::move_linear() const {
 }
 
 void Projection::operator()(const double* q, double* residuals, double* jacobian) const {
-  if (is_at(accepted_, q))
-    last_ = accepted_;
-  else if (!is_at(last_, q))
-    move_to(q);
+  if (!is_at(last_, q)) {
+    if (is_at(accepted_, q)) {
+      last_ = accepted_;
+    } else {
+      move_to(q);
+    }
+  }
   last_.is_known = true;
   const Eigen::Index n = unknown_count();
   Eigen::Map<VectorOf<double>> result(residuals, n + 1);
   const auto errors = last_.triangle.col(last_.triangle.cols() - 1);
   result = errors.tail(n + 1);
   // All of the square counts, with the part that the linear parameters could not remove.
-  result[n] = std::hypot(result[n], errors.head(errors.size() - n - 1).norm());
+  if (!linear_.empty()) result[n] = std::hypot(result[n], errors.head(errors.size() - n - 1).norm());
   if (jacobian != nullptr) {
     accepted_ = last_;
     Eigen::Map<Matrix> columns(jacobian, n + 1, n);

@@ -41,6 +41,12 @@ class Projection {
   /// Forgets the earlier points: a descent from another start begins.
   void forget() const { last_.is_known = accepted_.is_known = false; }
 
+  /// Appends what is known of the last point to a list of numbers, `kept_size()` of them; `recall` takes them
+  /// back, to begin a descent there.
+  void keep(std::vector<double>& numbers) const;
+  void recall(std::span<const double> numbers) const;
+  std::size_t kept_size() const { return last_.parameters.size() + columns_.size() * columns_.size(); }
+
   /// All parameters at the last point, with the best linear ones.
   const std::vector<double>& parameters() const { return last_.parameters; }
 

@@ -148,8 +148,10 @@ void SampledStudy<double>::products(std::span<const double> parameters, std::spa
   gradient().visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {
     // The error is the first output and the last column.
     std::array<const TwoLanes*, most> of_row;
-    for (std::size_t i = 0; i < rows; ++i)
-      of_row[i] = outputs[(static_cast<std::size_t>(columns[i]) + 1) % outputs.size()];
+    for (std::size_t i = 0; i < rows; ++i) {
+      const std::size_t output = static_cast<std::size_t>(columns[i]) + 1;
+      of_row[i] = outputs[output < outputs.size() ? output : 0];
+    }
     wide_loops().add_products(&packed_weights_[first], std::span(of_row).first(rows), sums.data(),
                               count / parts);
   });

@@ -22,7 +22,8 @@
 namespace shadefit {
 namespace {
 
-using Vector = VectorOf<double>;
+/// Of parameters: on the stack.
+using Vector = ProductVector<double>;
 
 /// The n-th number of van der Corput's sequence in a base: Halton's points have one for each coordinate.
 double radical_inverse(std::uint64_t n, std::uint64_t base) {
@@ -100,7 +101,8 @@ constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 
 /// The parameters that do not enter linearly, and the square of the error with the best of the others.
 struct SearchedPlace {
   Vector q;
-  double square;
+  double square = 0;
+  std::optional<std::size_t> kept = std::nullopt;  ///< its number among those that were looked at
 };
 
 void sort_by_square(std::vector<SearchedPlace>& places) {
@@ -133,15 +135,33 @@ class Descents {
     return problem_.parameters();
   }
 
-  /// The places with their squares, sorted by square.
-  std::vector<SearchedPlace> all_at(const std::vector<Vector>& places) const { return from(places, 0); }
-
-  /// The ends of descents of so many steps, sorted by square.
-  std::vector<SearchedPlace> from(const std::vector<Vector>& starts, int steps) const {
-    std::vector<SearchedPlace> ends;
-    for (Vector q : starts) {
+  /// The places with their squares, sorted by square. What was computed there is kept for `from`.
+  std::vector<SearchedPlace> all_at(const std::vector<Vector>& places) const {
+    std::vector<SearchedPlace> looked;
+    kept_.clear();
+    for (std::size_t i = 0; i < places.size(); ++i) {
       checkpoint_();
       problem_.forget();
+      const double square = square_at(places[i]);
+      problem_.keep(kept_);
+      if (std::isfinite(square)) looked.push_back({places[i], square, i});
+    }
+    sort_by_square(looked);
+    return looked;
+  }
+
+  /// The ends of descents of so many steps, sorted by square.
+  std::vector<SearchedPlace> from(const std::vector<SearchedPlace>& starts, int steps) const {
+    std::vector<SearchedPlace> ends;
+    for (const SearchedPlace& start : starts) {
+      checkpoint_();
+      const std::size_t size = problem_.kept_size();
+      if (start.kept) {
+        problem_.recall(std::span(kept_).subspan(*start.kept * size, size));
+      } else {
+        problem_.forget();
+      }
+      Vector q = start.q;
       if (!std::isfinite(square_at(q))) continue;
       descend(q, steps);
       if (const double square = square_at(q); std::isfinite(square)) ends.push_back({q, square});
@@ -199,6 +219,7 @@ class Descents {
   double residual_unit_;
   const Checkpoint& checkpoint_;
   double least_change_;  ///< of the square: a smaller one is left to Newton's method
+  mutable std::vector<double> kept_ = {};
 };
 
 /// Places from elements `first` on of Halton's points. `unknowns` are the indices of the parameters that do
@@ -243,21 +264,20 @@ std::vector<Vector> placed(const SearchStarts& wanted, const Descents& scan) {
 }
 
 /// The better half of places that are sorted by square.
-std::vector<Vector> lower_half(const std::vector<SearchedPlace>& places) {
-  std::vector<Vector> half;
-  for (std::size_t i = 0; i < (places.size() + 1) / 2; ++i) half.push_back(places[i].q);
-  return half;
+std::vector<SearchedPlace> lower_half(std::vector<SearchedPlace> places) {
+  places.resize((places.size() + 1) / 2);
+  return places;
 }
 
 /// Adds the lowest ends that are not near an earlier one: near ends are in the same basin.
-void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<Vector>& starts) {
+void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<SearchedPlace>& starts) {
   constexpr std::size_t most = 16;
   constexpr double near = 0.05;  // relative, in every parameter
   for (std::size_t i = 0; i < ends.size() && starts.size() < most; ++i) {
-    const auto is_near = [&](const Vector& start) {
-      return (start - ends[i].q).cwiseAbs().cwiseQuotient(ends[i].q.cwiseAbs()).maxCoeff() < near;
+    const auto is_near = [&](const SearchedPlace& start) {
+      return (start.q - ends[i].q).cwiseAbs().cwiseQuotient(ends[i].q.cwiseAbs()).maxCoeff() < near;
     };
-    if (std::none_of(starts.begin(), starts.end(), is_near)) starts.push_back(ends[i].q);
+    if (std::none_of(starts.begin(), starts.end(), is_near)) starts.push_back(ends[i]);
   }
 }
 
@@ -370,7 +390,7 @@ std::vector<StudyCandidate> basins(const StudyError& error, const SampledStudy<d
   const Descents problem(error, sampled, wanted.units, checkpoint, keeps_from_poles);
   std::vector<SearchedPlace> ends;
   if (problem.unknowns().empty()) {
-    ends = problem.from({Vector(0)}, 0);
+    ends = problem.from({{Vector(0)}}, 0);
   } else {
     if (wanted.count > 0) {
       const Descents scan(error, coarse, wanted.units, checkpoint, keeps_from_poles);
@@ -383,8 +403,8 @@ std::vector<StudyCandidate> basins(const StudyError& error, const SampledStudy<d
       ends = scan.all_at(places);
       for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
     }
-    std::vector<Vector> starts;
-    for (const std::vector<double>& start : wanted.given) starts.push_back(problem.unknowns_of(start));
+    std::vector<SearchedPlace> starts;
+    for (const std::vector<double>& start : wanted.given) starts.push_back({problem.unknowns_of(start)});
     append_distinct(ends, starts);
     ends = problem.from(starts, many);
   }

@@ -1,27 +1,15 @@
 #include "reports/studies/study_certificate_json.hpp"
 
-#include <string_view>
-#include <tuple>
-#include <utility>
 #include <vector>
 
-#include "fit/input/json_document.hpp"
 #include "fit/support/hex_float.hpp"
-#include "fit/support/user_error.hpp"
-#include "reports/io/own_json.hpp"
+#include "reports/io/digest.hpp"
 #include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
 namespace {
 
-using Json = OwnJson;
-
-constexpr const char* kind_of_study_file = "shadefit certificate of a study";
-/// Of a family, before families were proven as studies.
-constexpr const char* former_kind = "shadefit certificate";
-
-const std::vector<std::pair<std::string_view, Error>> named_errors{{name(Error::absolute), Error::absolute},
-                                                                   {name(Error::relative), Error::relative}};
+using Json = nlohmann::ordered_json;
 
 /// Numbers as `hex_text` writes them.
 Json hex_list(const std::vector<double>& values) {
@@ -34,39 +22,6 @@ Json definitions_json(const std::vector<StudyDefinition>& definitions) {
   });
 }
 
-StudySubject read_study_subject(const Json& json) {
-  StudySubject subject;
-  Study& study = subject.study;
-  study.target = json.at("target");
-  study.form = json.at("form");
-  study.weight = json.at("weight");
-  study.error = own_choice(json.at("error"), named_errors);
-  for (const Json& let : json.at("let"))
-    study.definitions.push_back({let.at("name"), let.at("of"), let.at("is")});
-  for (const auto& [name, value] : own_members(json.at("given"))) study.given.emplace(name, value);
-  for (const Json& range : json.at("over"))
-    study.over.push_back({range.at("variable"), range.at("from"), range.at("to")});
-  subject.parameters = own_members(json.at("parameters"));
-  return subject;
-}
-
-ReadCertificate study_certificate_of(const Json& json) {
-  require_kind(json, kind_of_study_file, study_certificate_schema);
-  ReadCertificate result{.refused = fault_of_digest(json)};
-  StudyCertificate& certificate = result.certificate;
-  certificate.subject = read_study_subject(json);
-  for (const Json& range : json.at("over")) {
-    const auto [lower, upper] = own_interval(range.at("doubles"));
-    certificate.ranges.push_back({lower, upper});
-  }
-  std::tie(certificate.lower, certificate.upper) = own_interval(json.at("largest"));
-  certificate.attained = own_numbers(json.at("attained"));
-  certificate.precision = own_whole(json.at("precision"));
-  certificate.boxes = json.at("boxes");
-  require_written_as(json, write_study_certificate_json(certificate));
-  return result;
-}
-
 }  // namespace
 
 Json write_study_certificate_json(const StudyCertificate& certificate) {
@@ -77,7 +32,7 @@ Json write_study_certificate_json(const StudyCertificate& certificate) {
                     {"from", study.over[i].lower},
                     {"to", study.over[i].upper},
                     {"doubles", hex_list({certificate.ranges.at(i).lower, certificate.ranges.at(i).upper})}});
-  Json json{{"file", kind_of_study_file},
+  Json json{{"file", study_certificate_kind},
             {"schema", study_certificate_schema},
             {"target", study.target},
             {"form", study.form},
@@ -97,16 +52,6 @@ Json write_study_certificate_json(const StudyCertificate& certificate) {
 
 std::string certificate_text(const StudyCertificate& certificate) {
   return write_study_certificate_json(certificate).dump(1) + "\n";
-}
-
-ReadCertificate read_study_certificate(const std::string& text, const std::string& name) {
-  const std::string file = "certificate '" + name + "'";
-  const Json json = parse_own_json(text, file);
-  if (json.is_object() && json.contains("file") && json.at("file") == former_kind)
-    throw UserError(file +
-                    " is of a family, by an earlier build: families are proven as studies now; make it "
-                    "again with 'shadefit certify'");
-  return read_own(file, [&] { return study_certificate_of(json); });
 }
 
 }  // namespace shadefit

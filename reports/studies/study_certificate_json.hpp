@@ -19,6 +19,9 @@ namespace shadefit {
 /// The size limit of a file. The most boxes take 400 kB.
 inline constexpr std::uintmax_t most_certificate_bytes = 4U << 20;
 
+/// What the file says that it is.
+inline constexpr const char* study_certificate_kind = "shadefit certificate of a study";
+
 /// The version of the file; it grows when a field changes its meaning.
 inline constexpr int study_certificate_schema = 1;
 

@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 # consumer's project there. Run as a script with
 #   BUILD     the build folder whose PARTS are installed, none: nothing is
 #   SOURCE    instead of BUILD: sources to configure for the component approx alone
-#   COMPILED  the sources of the library fit, relative to the project
+#   COMPILED  the sources of the libraries, relative to the project
 #   CONSUMER  the consumer's project; WORK a folder of this test's own; OPTIONS further arguments of its configuration
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${WORK})
@@ -34,7 +34,8 @@ endforeach()
 # Each installed header whose definitions are in a file of its own has them in the library.
 if(fit IN_LIST PARTS)
   set(sources ${CMAKE_CURRENT_LIST_DIR}/../..)
-  file(GLOB_RECURSE headers RELATIVE ${prefix}/include/shadefit ${prefix}/include/shadefit/fit/*.hpp)
+  file(GLOB_RECURSE headers RELATIVE ${prefix}/include/shadefit ${prefix}/include/shadefit/fit/*.hpp
+    ${prefix}/include/shadefit/reports/*.hpp)
   if(headers STREQUAL "")
     message(FATAL_ERROR "the component fit installed no header")
   endif()

@@ -99,6 +99,22 @@ TEST(WideLoops, AddProductsOfAllPairs) {
   }
 }
 
+TEST(WideLoops, Exp2HasTheBitsOfOnePack) {
+  std::mt19937_64 random(4);
+  std::vector<TwoLanes> x = any_numbers(random), expected;
+  const double infinity = HUGE_VAL, none = std::nan("");
+  const std::vector<TwoLanes> rare{{0, -0.0},        {infinity, -infinity}, {none, 0.5},    {1023.75, 1024},
+                                   {-1022, -1023.5}, {-1024, -1e300},       {1e300, 1e-300}};
+  std::copy(rare.begin(), rare.end(), x.begin());
+  for (const TwoLanes& pack : x) expected.push_back(Scalar<TwoLanes>::exp2(pack));
+  for (const WideLoops* loops : {&loops_of_two(), loops_of_four()}) {
+    if (loops == nullptr) continue;
+    std::vector<TwoLanes> result(packs, TwoLanes(0));
+    loops->exp2(x.data(), result.data(), groups);
+    EXPECT_TRUE(has_same_bits(result, expected));
+  }
+}
+
 TEST(WideLoops, HaveTheSameBitsInWiderRegisters) {
   const WideLoops* wider = loops_of_four();
   if (wider == nullptr) GTEST_SKIP() << "this machine has no registers of four doubles";

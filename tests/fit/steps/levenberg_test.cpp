@@ -8,8 +8,8 @@ namespace shadefit {
 namespace {
 
 // The sum of (p_0 + p_1 x_i + .. - e^(x_i))^2 falls to the interpolation where there are as many values as
-// parameters, and to the answer of the normal equations where there are more: on the stack with all, and with
-// fewer, of its residuals, and on the heap.
+// parameters, and to the answer of the normal equations where there are more: on the stack with one more,
+// else on the heap.
 TEST(Levenberg, SolvesLinearProblemsOfEverySize) {
   for (const int n : {1, 2, 3, 4, 5}) {
     for (const int count : {n, n + 1, 12, 20}) {
