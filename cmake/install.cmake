@@ -37,7 +37,7 @@ endif()
 if(TARGET shadefit_study)
   # Its interface, and what that includes.
   shadefit_install_library(study)
-  foreach(header IN ITEMS reports/prepared/prepare.hpp reports/code/shader_code.hpp fit/proof/constants.hpp)
+  foreach(header IN ITEMS reports/studies/prepare.hpp reports/code/shader_code.hpp fit/proof/constants.hpp)
     cmake_path(GET header PARENT_PATH folder)
     install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${shadefit_headers}/${folder} COMPONENT study)
   endforeach()

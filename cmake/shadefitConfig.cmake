@@ -4,7 +4,7 @@
 #   fit     shadefit::fit, how constants are found: needs Eigen 3.4, the headers of Boost 1.74 and of Ceres 2.1
 #   study   shadefit::study, a study from its text, fitted, proven and as code: needs MPFI too
 #
-# All have one include directory: #include "approx/fresnel.hpp", "fit/catalogue/family.hpp", "reports/prepared/prepare.hpp".
+# All have one include directory: #include "approx/fresnel.hpp", "fit/catalogue/family.hpp", "reports/studies/prepare.hpp".
 # Without COMPONENTS, approx is available, and of the others those that are found with all their dependencies; check
 # shadefit_fit_FOUND or TARGET shadefit::fit.
 #

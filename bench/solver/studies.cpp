@@ -8,7 +8,7 @@
 #include "fit/squares/prepared_study.hpp"
 #include "fit/squares/solve_study.hpp"
 #include "fit/study/search.hpp"
-#include "reports/prepared/prepare.hpp"
+#include "reports/studies/prepare.hpp"
 
 /// The Fresnel pair as a study.
 namespace shadefit::bench {

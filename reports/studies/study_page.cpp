@@ -14,7 +14,7 @@
 #include "reports/io/joined.hpp"
 #include "reports/rows/rounded.hpp"
 #include "reports/studies/html.hpp"
-#include "reports/studies/pictures.hpp"
+#include "reports/figures/pictures.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_report.hpp"
 #include "reports/studies/study_rows.hpp"

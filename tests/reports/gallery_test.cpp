@@ -13,7 +13,7 @@
 #include "fit/better/round_contenders.hpp"
 #include "fit/scalars/half.hpp"
 #include "reports/studies/html.hpp"
-#include "reports/studies/pictures.hpp"
+#include "reports/figures/pictures.hpp"
 
 namespace shadefit {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/commands/command_line.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/prepared/prepare.hpp"
+#include "reports/studies/prepare.hpp"
 #include "reports/studies/study_certificate_json.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <string>
 
-#include "reports/prepared/prepare.hpp"
+#include "reports/studies/prepare.hpp"
 
 /// Fits, proves and emits the Fresnel pair from its text. Exits with 1 unless the code has the constants.
 int main() {

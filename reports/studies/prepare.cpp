@@ -1,4 +1,4 @@
-#include "reports/prepared/prepare.hpp"
+#include "reports/studies/prepare.hpp"
 
 #include <fmt/format.h>
 

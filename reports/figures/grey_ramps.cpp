@@ -1,4 +1,4 @@
-#include "reports/studies/pictures.hpp"
+#include "reports/figures/pictures.hpp"
 
 #include <fmt/format.h>
 
