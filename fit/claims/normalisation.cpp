@@ -11,7 +11,6 @@
 #include "fit/claims/reflectance.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/support/root.hpp"
 
 namespace shadefit {
 namespace {
