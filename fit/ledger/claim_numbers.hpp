@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,14 @@
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
+
+/// Finds a text in a table without a copy of it.
+struct TextHash : std::hash<std::string_view> {
+  using is_transparent = void;
+};
+
+template <class Value>
+using TextTable = std::unordered_map<std::string, Value, TextHash, std::equal_to<>>;
 
 /// The numbers of a claim that is data: fit/ledger/computation.hpp has the notation. T is their scalar,
 /// double or Decimal50.
@@ -276,11 +285,11 @@ class ClaimNumbers {
 
   const Claim& claim_;
   FormulaNames names_;
-  std::map<std::string, const Line*, std::less<>> lines_;
-  std::map<std::string, Symbolic, std::less<>> formulas_;
-  std::map<std::string_view, Found> constants_;
+  TextTable<const Line*> lines_;
+  TextTable<Symbolic> formulas_;
+  std::unordered_map<std::string_view, Found> constants_;
   std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
-  std::map<std::string, T, std::less<>> given_;  ///< numbers of the record, and those of verdicts
+  TextTable<T> given_;  ///< numbers of the record, and those of verdicts
   BoundVariables<T> bound_;
 };
 
