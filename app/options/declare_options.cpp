@@ -35,10 +35,9 @@ void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_defa
 }
 
 void add_domain(CLI::App& command, FitOptions& fit) {
-  add_value(
-      command, "--domain", fit.metric.domain, parse_domain, "A:B",
-      "the range of the variable, if it is a cosine, for example cos(60deg):1; 0deg:60deg is the same "
-      "(default of a built-in family: 0:1)");
+  add_value(command, "--domain", fit.metric.domain, parse_domain, "A:B",
+            "the range of the variable, if it is a cosine, for example cos(60deg):1; 0deg:60deg is the same "
+            "(default of a built-in family: 0:1)");
 }
 
 /// Adds the options for the surface of a Fresnel form.
@@ -53,9 +52,8 @@ void add_surface(CLI::App& command, FitOptions& fit) {
 
 /// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
 void add_metric(CLI::App& command, FitOptions& fit) {
-  add_choice(
-      command, "--measure", fit.metric.measure, by_name(measures),
-      "how the range of a cosine is weighted: evenly in the cosine, in the angle, or by the cosine");
+  add_choice(command, "--measure", fit.metric.measure, by_name(measures),
+             "how the range of a cosine is weighted: evenly in the cosine, in the angle, or by the cosine");
   add_choice(
       command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
       "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
@@ -259,8 +257,7 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   auto* latex =
       fit.add_flag("--latex", options.latex, "print a LaTeX tabular")->excludes("--json")->excludes(csv);
   const std::array extras{
-      fit.add_flag("--certify", options.certify,
-                   "also prove bounds of the largest error"),
+      fit.add_flag("--certify", options.certify, "also prove bounds of the largest error"),
       add_round(fit, options), add_evaluate(fit, options),
       fit.add_flag(
           "--sensitivity", options.sensitivity,

@@ -104,8 +104,8 @@ std::function<CurvePoint(const Cosine<double>&)> Family::curve_at(const Setting&
   const CosineRange everywhere{{1, 0}, {0, 1}};
   const Study asked = study_of(*this, setting, {}, everywhere);
   const ReadStudy absolute = read_study(near_peak(asked)),
-                  relative = read_study(
-                      near_peak(study_of(*this, setting, {.error = Error::relative}, everywhere)));
+                  relative =
+                      read_study(near_peak(study_of(*this, setting, {.error = Error::relative}, everywhere)));
   const auto curves = std::make_shared<std::array<AtCosine, 4>>(std::array<AtCosine, 4>{
       AtCosine(absolute, absolute.target, values), AtCosine(absolute, absolute.form, values),
       AtCosine(absolute, error_formula(absolute), values),

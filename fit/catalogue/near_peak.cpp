@@ -39,8 +39,8 @@ std::vector<double> cuts_of_lobe(double lower) {
 /// 1 - c at the lower end of the range. That of the end of a visible lobe has all its digits.
 double one_minus_lower(double cosine, double exponent) {
   const auto visible_end = where_lobe_is_visible(exponent);
-  const bool is_visible_end =
-      visible_end && std::abs(visible_end->cos_theta - cosine) <= 4 * std::numeric_limits<double>::epsilon() * cosine;
+  const bool is_visible_end = visible_end && std::abs(visible_end->cos_theta - cosine) <=
+                                                 4 * std::numeric_limits<double>::epsilon() * cosine;
   return is_visible_end ? visible_end->one_minus_cos : 1 - cosine;
 }
 

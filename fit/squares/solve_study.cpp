@@ -13,8 +13,8 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/row_statistics.hpp"
-#include "fit/study/study_problem.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 namespace {

@@ -19,7 +19,8 @@ namespace shadefit {
 /// A variable, its range, and how its values are weighted.
 struct StudyRange {
   std::string variable;
-  std::string lower, upper;   ///< formulas of numbers and given constants; both empty where rows give the values
+  std::string lower,
+      upper;  ///< formulas of numbers and given constants; both empty where rows give the values
   std::string density = "1";  ///< a formula in the variable
 };
 

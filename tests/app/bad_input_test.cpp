@@ -193,9 +193,7 @@ TEST(BadInput, Constraints) {
          "the form cannot satisfy the constraints: no parameters keep the form <= 0.5 at c = 0");
   refuse({"--at-most", "0.9"},
          "the form cannot satisfy the constraints: no parameters keep the form <= 0.9 at c = 0");
-  refuse(
-      {"--exact-at", "1"},
-      "the form cannot satisfy the constraints: the form cannot be exact at c = 1");
+  refuse({"--exact-at", "1"}, "the form cannot satisfy the constraints: the form cannot be exact at c = 1");
 }
 
 // A form that may not exceed its target touches it to the second order at c = 1: fewer places than parameters

@@ -157,12 +157,10 @@ TEST(SensitivityOption, Json) {
 TEST(SensitivityOption, BadInput) {
   for (const char* format : {"--csv", "--latex"})
     EXPECT_EQ(run_command_line({"fit", "fresnel-quadratic", "--sensitivity", format}).exit_code, 2) << format;
-  expect_refusal(
-      {"fit", "fresnel-quadratic", "--norm", "minimax", "--at-most", "1", "--sensitivity"},
-      "--sensitivity does not go with a constraint: rounded constants do not meet it");
-  expect_refusal(
-      {"fit", "fresnel-quadratic", "--norm", "minimax", "--exact-at", "0", "--sensitivity"},
-      "--sensitivity does not go with a constraint: rounded constants do not meet it");
+  expect_refusal({"fit", "fresnel-quadratic", "--norm", "minimax", "--at-most", "1", "--sensitivity"},
+                 "--sensitivity does not go with a constraint: rounded constants do not meet it");
+  expect_refusal({"fit", "fresnel-quadratic", "--norm", "minimax", "--exact-at", "0", "--sensitivity"},
+                 "--sensitivity does not go with a constraint: rounded constants do not meet it");
 }
 
 // One meaning of the best set: in the first sentence, in JSON, in the gallery and in the emitted code.

@@ -117,8 +117,7 @@ TEST(FitCommand, CsvAndConsole) {
 
   const Outcome console = run_command_line({"fit", "sg-offset", "--exponent", "5,6"});
   EXPECT_EQ(console.exit_code, 0);
-  EXPECT_TRUE(
-      console.out.starts_with("sg-offset: exp((k + x) (c - 1)) ~ c^k, c in 0:1, least squares\n"));
+  EXPECT_TRUE(console.out.starts_with("sg-offset: exp((k + x) (c - 1)) ~ c^k, c in 0:1, least squares\n"));
   expect_has(console.out, "0.78754461967478");
   expect_has(console.out, "0.788");
 }

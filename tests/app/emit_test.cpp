@@ -119,8 +119,9 @@ TEST(Emit, ANameOfTheLanguageIsRefused) {
 
 TEST(Emit, BadInput) {
   const TemporaryDirectory directory;
-  expect_refusal({"emit", "--lang", "c"},
-                 "emit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help emit')");
+  expect_refusal(
+      {"emit", "--lang", "c"},
+      "emit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help emit')");
   expect_refusal({"emit", "fresnel-quadratic"},
                  "emit needs --lang: one of glsl, hlsl, c, cpp, wgsl, msl, cuda, opencl");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "rust"},
@@ -131,12 +132,14 @@ TEST(Emit, BadInput) {
                  "--precision 'half' does not apply to --lang 'c': it has no half");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--name", "2fast"},
                  "--name '2fast' is not the name of a function: letters, digits and '_', no digit first");
-  expect_refusal({"emit", "sg-offset", "--lang", "glsl"},
-                 "'sg-offset' has 21 values of its given constants, and these constants are for one: name it by "
-                 "--exponent");
-  expect_refusal({"emit", "sg-offset", "--lang", "glsl", "--exponent", "3:15:1"},
-                 "'sg-offset' has 13 values of its given constants, and these constants are for one: name it by "
-                 "--exponent");
+  expect_refusal(
+      {"emit", "sg-offset", "--lang", "glsl"},
+      "'sg-offset' has 21 values of its given constants, and these constants are for one: name it by "
+      "--exponent");
+  expect_refusal(
+      {"emit", "sg-offset", "--lang", "glsl", "--exponent", "3:15:1"},
+      "'sg-offset' has 13 values of its given constants, and these constants are for one: name it by "
+      "--exponent");
   const std::string no_command = directory.file("a.glsl", "float f(float c) { return c; }\n");
   expect_refusal(
       {"emit", "--check", no_command},

@@ -12,8 +12,8 @@
 #include "fit/better/prove_contenders.hpp"
 #include "fit/better/round_contenders.hpp"
 #include "fit/scalars/half.hpp"
-#include "reports/studies/html.hpp"
 #include "reports/figures/pictures.hpp"
+#include "reports/studies/html.hpp"
 
 namespace shadefit {
 namespace {
