@@ -7,17 +7,11 @@
 /// exp2 of `base_two_power`.
 namespace shadefit {
 
-/// The exponent of `power_by_exp2`, k log2(c).
-template <class T>
-T power_exponent_base_two(const T& cos_theta, const T& exponent) {
-  return log2(cos_theta) * exponent;
-}
-
 /// c^k as a GPU computes it: exp2(k log2(c)). c in [0, 1]; c = 0 gives exp2(-infinity) = 0 for k > 0 and
 /// exp2(-infinity * 0) = NaN for k = 0.
 template <class T>
 T power_by_exp2(const T& cos_theta, const T& exponent) {
-  return exp2(power_exponent_base_two(cos_theta, exponent));
+  return exp2(log2(cos_theta) * exponent);
 }
 
 /// The spherical Gaussian of `gaussian_lobe_base_two` with the subtraction first, exp2(A (c - 1)): c - 1 is

@@ -2,7 +2,7 @@
 
 #include "approx/scalar.hpp"
 
-/// Dithering and marching through volumes.
+/// Dithering, and the error of marches through volumes.
 namespace shadefit {
 
 /// The rank of an entry in Bayer's dither matrix of `size` x `size` (a power of two), from 0 to size^2 - 1:
@@ -29,19 +29,6 @@ template <class T>
 T march_rms_at_offset(const T& steps, const T& offset) {
   const T rest = integer<T>(1) - offset;
   return sqrt((power(offset, 3) + power(rest, 3)) / integer<T>(3)) / steps;
-}
-
-/// The weight of a tap of a bilateral upsampling, for a depth difference `gap` >= 0 between tap and pixel:
-/// max(0, 1 - falloff gap). Source: Pestana 2014, "Volumetric lights".
-template <class T>
-T depth_weight(const T& gap, const T& falloff) {
-  return positive_part(integer<T>(1) - falloff * gap);
-}
-
-/// sum/(weight + epsilon): a weighted mean. Without any weight it is 0 instead of 0/0. Source: as above.
-template <class T>
-T guarded_mean(const T& sum, const T& weight, const T& epsilon) {
-  return sum / (weight + epsilon);
 }
 
 }  // namespace shadefit

@@ -25,19 +25,6 @@ T srgb_decode(const T& encoded) {
   return select(less(constant<T, "0.04045">(), encoded), curved, straight);
 }
 
-/// The encoding x^(1/gamma) of a linear value in [0, 1]; gamma > 0. Shaders use gamma = 2.2 to approximate
-/// sRGB.
-template <class T>
-T gamma_encode(const T& linear, const T& gamma) {
-  return power(linear, integer<T>(1) / gamma);
-}
-
-/// The linear value x^gamma of such an encoding in [0, 1].
-template <class T>
-T gamma_decode(const T& encoded, const T& gamma) {
-  return power(encoded, gamma);
-}
-
 /// The sRGB code of a linear value on the 8-bit scale, as a real number in [0, 255]. The value is clamped to
 /// [0, 1] first.
 template <class T>

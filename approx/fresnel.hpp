@@ -112,16 +112,10 @@ T fresnel_one_term(const T& cos_theta, const T& sharpness) {
   return exp2(-(sharpness * cos_theta));
 }
 
-/// The exponent of `fresnel_quadratic`, (a c + b) c: a + b at c = 1.
-template <class T>
-T fresnel_quadratic_exponent(const T& cos_theta, const T& a, const T& b) {
-  return (a * cos_theta + b) * cos_theta;
-}
-
 /// exp2((a c + b) c): one multiply-add, one multiplication and one exp2.
 template <class T>
 T fresnel_quadratic(const T& cos_theta, const T& a, const T& b) {
-  return exp2(fresnel_quadratic_exponent(cos_theta, a, b));
+  return exp2((a * cos_theta + b) * cos_theta);
 }
 
 /// exp2(((a c + b) c + d) c): one multiply-add more than `fresnel_quadratic`.
@@ -149,25 +143,11 @@ T fresnel_square(const T& cos_theta, const T& a, const T& b) {
   return grazing_power(cos_theta, 2) * (integer<T>(1) + (a * cos_theta + b) * cos_theta);
 }
 
-/// 1 + a c, the denominator of `fresnel_rational`. It is linear in c.
-template <class T>
-T fresnel_rational_denominator(const T& cos_theta, const T& a) {
-  return integer<T>(1) + a * cos_theta;
-}
-
 /// (1 - c)^4/(1 + a c): a division instead of the exp2. Like the target, it is 1 at c = 0 and 0 at c = 1. It
 /// has no pole on [0, 1] for a > -1, and none on [A, B] for a > -1/B.
 template <class T>
 T fresnel_rational(const T& cos_theta, const T& a) {
-  return grazing_power(cos_theta, 4) / fresnel_rational_denominator(cos_theta, a);
-}
-
-/// The A of `fresnel_one_term` for a spherical Gaussian of (1 - c)^5 with offset x: (5 + x) / ln 2.
-/// (1-c)^5 ~ exp((5+x)((1-c) - 1)) = exp2(-(5+x)/ln2 c). Under the cosine measure this formula maps the best
-/// x to the best A, because c -> 1 - c maps one problem onto the other.
-template <class T>
-T one_term_sharpness(const T& offset) {
-  return (integer<T>(5) + offset) / ln2<T>();
+  return grazing_power(cos_theta, 4) / (integer<T>(1) + a * cos_theta);
 }
 
 /// Relative errors of Fresnel forms are stated for this reflectance at normal incidence: 4 %, as for glass

@@ -5,9 +5,7 @@
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
-#include "approx/phase.hpp"
 #include "approx/scalar.hpp"
-#include "approx/von_mises_fisher.hpp"
 
 /// Forms that are safe for every argument in every format, including half. The printed formulas can give NaN,
 /// infinity, negative values or values above 1 there, or lose their digits. Each form is the printed formula,
@@ -56,10 +54,11 @@ T decode_clamped_gloss(const T& gloss, const T& doublings, const T& first) {
   return exp2(doublings * unit_cosine(gloss)) * exp2(first);
 }
 
-/// `von_mises_fisher_near_peak` for every k >= 0, including the uniform density 1/(4 pi) at k = 0. k/(1 -
-/// e^(-2k)) is computed first: it is 1/2 at k = 0 and loses no digits for a subnormal k. The exponential is
-/// split into two equal factors. e^(-k y) alone can be subnormal, with few digits left, although its product
-/// with k is normal (in half from k y = 10 on).
+/// `von_mises_fisher` for every k >= 0, including the uniform density 1/(4 pi) at k = 0, from y = 1 - c:
+/// k/(2 pi (1 - e^(-2k))) e^(-k y), since 2 sinh k = e^k (1 - e^(-2k)). k/(1 - e^(-2k)) is computed first: it
+/// is 1/2 at k = 0 and loses no digits for a subnormal k. The exponential is split into two equal factors.
+/// e^(-k y) alone can be subnormal, with few digits left, although its product with k is normal (in half from
+/// k y = 10 on).
 template <class T>
 T von_mises_fisher_of_any_concentration(const T& one_minus_cos, const T& concentration) {
   const T zero = integer<T>(0), one = integer<T>(1), two = integer<T>(2);
@@ -69,9 +68,9 @@ T von_mises_fisher_of_any_concentration(const T& one_minus_cos, const T& concent
   return peak / (two * pi<T>()) * half * half;
 }
 
-/// `henyey_greenstein_near_peak` for every g in (-1, 1). For g < 0 it uses -g and 1 + c = 2 - y, so nothing
-/// cancels on either side. In half the powers of 1 - |g| would be subnormal from |g| = 0.99 on. Therefore
-/// everything is scaled by 64; a power of two changes no digit:
+/// `henyey_greenstein` for every g in (-1, 1), from y = 1 - c: 1 + g^2 - 2 g c = b = (1 - g)^2 + 2 g y. For g
+/// < 0 it uses -g and 1 + c = 2 - y, so nothing cancels on either side. In half the powers of 1 - |g| would
+/// be subnormal from |g| = 0.99 on. Therefore everything is scaled by 64; a power of two changes no digit:
 ///   (1 - g^2)/(4 pi b^1.5) = (1 + |g|)/(4 pi) * 4096 (1 - |g|)/b' * 64/sqrt(b'),  b' = 4096 b.
 template <class T>
 T henyey_greenstein_from_both_sides(const T& one_minus_cos, const T& g) {

@@ -2,21 +2,9 @@
 
 #include "approx/scalar.hpp"
 
-/// Spherical harmonics of low order. They are real and orthonormal over the sphere of 4 pi steradians. (x, y,
-/// z) is a unit direction; band l has 2 l + 1 harmonics.
+/// The bands of spherical harmonics in the clamped cosine max(cos(theta), 0). The harmonics are real and
+/// orthonormal over the sphere of 4 pi steradians; band l has 2 l + 1 of them.
 namespace shadefit {
-
-/// The harmonic of band 0, a constant: sqrt(1/(4 pi)).
-template <class T>
-T harmonic_of_band_zero() {
-  return sqrt(integer<T>(1) / (integer<T>(4) * pi<T>()));
-}
-
-/// The factor of x, y or z in the three harmonics of band 1: sqrt(3/(4 pi)).
-template <class T>
-T harmonic_of_band_one() {
-  return sqrt(integer<T>(3) / (integer<T>(4) * pi<T>()));
-}
 
 /// The Legendre polynomial P_l(x) for x in [-1, 1], l >= 0, by Bonnet's recurrence
 /// (n + 1) P_(n+1) = (2 n + 1) x P_n - n P_(n-1). P_l(1) = 1.

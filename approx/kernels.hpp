@@ -15,37 +15,16 @@ T line_gaussian(const T& x, const T& variance) {
   return exp(-(x * x / (integer<T>(2) * variance)));
 }
 
-/// The Abel-Poisson kernel of the circle as printed, (1 - t^2)/(1 - 2 t c + t^2), 0 < t < 1; its peak is
-/// (1 + t)/(1 - t).
-template <class T>
-T poisson_of_circle(const T& cos_theta, const T& t) {
-  const T one = integer<T>(1);
-  return (one - t * t) / (one - integer<T>(2) * t * cos_theta + t * t);
-}
-
-/// The Abel-Poisson kernel of the sphere, (1 - t^2)/(1 - 2 t c + t^2)^(3/2); its peak is (1 + t)/(1 - t)^2.
-/// Source: Freeden, Gervens, Schreiner 1998, "Constructive Approximation on the Sphere".
-template <class T>
-T poisson_of_sphere(const T& cos_theta, const T& t) {
-  const T one = integer<T>(1);
-  const T square = one - integer<T>(2) * t * cos_theta + t * t;
-  return (one - t * t) / (square * sqrt(square));
-}
-
-/// The m of the next two functions: 2 t/(1 - t)^2.
-template <class T>
-T poisson_sharpness(const T& t) {
-  const T rest = integer<T>(1) - t;
-  return integer<T>(2) * t / (rest * rest);
-}
-
-/// `poisson_of_circle` over its peak: 1 - 2 t c + t^2 = (1 - t)^2 + 2 t y, so it is 1/(1 + m y).
+/// The Abel-Poisson kernel of the circle as printed, (1 - t^2)/(1 - 2 t c + t^2), 0 < t < 1, over its peak
+/// (1 + t)/(1 - t): 1 - 2 t c + t^2 = (1 - t)^2 + 2 t y, so it is 1/(1 + m y) of the sharpness m = 2 t/(1 -
+/// t)^2.
 template <class T>
 T poisson_of_circle_lobe(const T& one_minus_cos, const T& sharpness) {
   return integer<T>(1) / (sharpness * one_minus_cos + integer<T>(1));
 }
 
-/// `poisson_of_sphere` over its peak: (1 + m y)^(-3/2).
+/// The Abel-Poisson kernel of the sphere, (1 - t^2)/(1 - 2 t c + t^2)^(3/2), over its peak (1 + t)/(1 - t)^2:
+/// (1 + m y)^(-3/2). Source: Freeden, Gervens, Schreiner 1998, "Constructive Approximation on the Sphere".
 template <class T>
 T poisson_of_sphere_lobe(const T& one_minus_cos, const T& sharpness) {
   const T base = sharpness * one_minus_cos + integer<T>(1);
@@ -63,14 +42,6 @@ T next_legendre(const T& cos_theta, const T& current, const T& before, int l) {
 template <class T>
 T heat_weight(int l, const T& t) {
   return integer<T>(2 * l + 1) * exp(-(integer<T>(l) * integer<T>(l + 1) * t));
-}
-
-/// A bound on the terms after l = last at any angle: e^(-last (last + 1) t)/t. |P_l| <= 1, and the weights
-/// are the slopes of -e^(-l (l + 1) t)/t. These slopes fall once (2 l + 1)^2 t > 2, so their sum is less than
-/// the integral from `last`.
-template <class T>
-T heat_tail_bound(int last, const T& t) {
-  return exp(-(integer<T>(last) * integer<T>(last + 1) * t)) / t;
 }
 
 /// The sum of weights[l] P_l(c), at least two terms. With `heat_weight` it is the heat kernel, whose peak is

@@ -3,7 +3,7 @@
 #include "approx/scalar.hpp"
 
 /// Phase functions of volumes: Henyey-Greenstein. c = cos of the angle between the directions of the light
-/// before and after it is scattered, y = 1 - c, g in (-1, 1) the mean of c. Per steradian.
+/// before and after it is scattered, g in (-1, 1) the mean of c. Per steradian.
 namespace shadefit {
 
 /// (1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5), as shaders write it.
@@ -13,16 +13,6 @@ T henyey_greenstein(const T& cos_theta, const T& g) {
   const T one = integer<T>(1), two = integer<T>(2);
   const T base = one + g * g - two * g * cos_theta;
   return (one - g * g) / (integer<T>(4) * pi<T>() * power(base, integer<T>(3) / two));
-}
-
-/// The same from y = 1 - c: 1 + g^2 - 2 g c = (1 - g)^2 + 2 g y. For g > 0 nothing cancels, even for g close
-/// to 1. For g < 0 pass -g and 1 + c: the function depends on c only through the product g c.
-template <class T>
-T henyey_greenstein_near_peak(const T& one_minus_cos, const T& g) {
-  const T one = integer<T>(1), two = integer<T>(2);
-  const T rest = one - g;
-  const T base = rest * rest + two * g * one_minus_cos;
-  return rest * (one + g) / (integer<T>(4) * pi<T>() * (base * sqrt(base)));
 }
 
 /// The same from c with the power 3/2 as a product, d^3 with d = sqrt(1 + g^2 - 2 g c): no logarithm.
@@ -48,19 +38,6 @@ T schlick_phase(const T& cos_theta, const T& k) {
   const T one = integer<T>(1);
   const T base = one - k * cos_theta;
   return (one - k * k) / (integer<T>(4) * pi<T>() * (base * base));
-}
-
-/// The fraction of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
-///   2 pi times the integral of the function = (1 - g^2)/(2g) (1/(1-g) - 1/d), d^2 = (1-g)^2 + 2 g y,
-///   = (1 + g) y/(d (d + 1 - g)), since d^2 - (1-g)^2 = 2 g y.
-/// The second line has no 0/0 at g = 0. At y = 2, where d = 1 + g, it is 1. For g near -1 d cancels; use 1
-/// minus the fraction for -g from the other side.
-template <class T>
-T henyey_greenstein_within(const T& one_minus_cos, const T& g) {
-  const T one = integer<T>(1);
-  const T rest = one - g;
-  const T d = sqrt(rest * rest + integer<T>(2) * g * one_minus_cos);
-  return (one + g) * one_minus_cos / (d * (d + rest));
 }
 
 }  // namespace shadefit

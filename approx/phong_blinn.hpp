@@ -51,36 +51,6 @@ ApproachLaw<T> factor_law(const T& p) {
   return {integer<T>(4), (p + integer<T>(2)) / integer<T>(2)};
 }
 
-/// cos of the Phong angle, between the reflected light direction r = 2 (n.l) n - l and the view v:
-/// 2 (n.l)(n.v) - l.v.
-template <class T>
-T phong_cosine(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
-  return integer<T>(2) * n_dot_l * n_dot_v - l_dot_v;
-}
-
-/// cos of twice the Blinn angle, between n and h = (l + v)/|l + v|: |l + v|^2 = 2 + 2 l.v, so 2 (n.h)^2 - 1
-/// is (n.l + n.v)^2/(1 + l.v) - 1. l.v > -1.
-template <class T>
-T twice_blinn_cosine(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
-  return power(n_dot_l + n_dot_v, 2) / (integer<T>(1) + l_dot_v) - integer<T>(1);
-}
-
-/// The Gram determinant of n, l and v, the square of the volume that they span: never negative, and 0 only if
-/// they lie in one plane.
-template <class T>
-T squared_volume(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
-  return integer<T>(1) - n_dot_l * n_dot_l - n_dot_v * n_dot_v - l_dot_v * l_dot_v +
-         integer<T>(2) * n_dot_l * n_dot_v * l_dot_v;
-}
-
-/// phong_cosine - twice_blinn_cosine = squared_volume/(1 + l.v): over the common denominator 1 + l.v, the
-/// numerator is the determinant. So twice the Blinn angle is never less than the Phong angle, and equal only
-/// if the vectors lie in one plane.
-template <class T>
-T blinn_cosine_excess(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
-  return squared_volume(n_dot_l, n_dot_v, l_dot_v) / (integer<T>(1) + l_dot_v);
-}
-
 /// sin(e/2) for the largest excess e of twice the Blinn angle over the Phong angle, over all lights above the
 /// surface: 1 - n.v. It is reached by a light on the horizon with l.v = n.v - 1.
 ///

@@ -76,6 +76,17 @@ class ClaimNumbers {
     return found == lines_.end() ? nullptr : found->second;
   }
 
+  /// Computes what a definition gives. Each may need a number and a text of others: of a longer chain one
+  /// needs itself, and std::logic_error is thrown.
+  template <class Compute>
+  auto by_definition(const Line& line, const Compute& compute) {
+    if (++depth_ > 2 * lines_.size())
+      throw std::logic_error(fmt::format("{} defines '{}' by itself", claim_.id, line.at(0)));
+    auto found = compute();
+    --depth_;
+    return found;
+  }
+
   T value(std::string_view text) {
     const auto value_of = [&](const std::string& name) { return number(name); };
     T result;
@@ -180,12 +191,11 @@ class ClaimNumbers {
     }
     Found found{T(0)};
     const bool needs_variables = bound_.used_by([&] {
-      if (line.at(1) == "integral") {
+      found = by_definition(line, [&]() -> Found {
+        if (line.at(1) != "integral") return {line.size() > 2 ? searched(line) : value(line.at(1))};
         const Integral both = integral(line);
-        found = {T(both.value), both.error};
-      } else {
-        found.value = line.size() > 2 ? searched(line) : value(line.at(1));
-      }
+        return {T(both.value), both.error};
+      });
     });
     if (!needs_variables) constants_.emplace(line.at(0), found);
     if (needs_variables && line.size() > 2) kept_.emplace(std::pair(line.at(0), variables), found);
@@ -289,7 +299,8 @@ class ClaimNumbers {
   TextTable<Symbolic> formulas_;
   std::unordered_map<std::string_view, Found> constants_;
   std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
-  TextTable<T> given_;  ///< numbers of the record, and those of verdicts
+  TextTable<T> given_;     ///< numbers of the record, and those of verdicts
+  std::size_t depth_ = 0;  ///< of the definitions that are being computed
   BoundVariables<T> bound_;
 };
 

@@ -45,7 +45,8 @@ class Computation {
       if (const auto* bound = numbers_.bound(name.substr(0, name.size() - 5))) return bound->text;
     }
     const Line* line = numbers_.line_of(name);
-    return line != nullptr ? std::optional(words_of(*line)) : std::nullopt;
+    if (line == nullptr) return std::nullopt;
+    return numbers_.by_definition(*line, [&] { return words_of(*line); });
   }
 
   std::string words_of(const Line& line) {

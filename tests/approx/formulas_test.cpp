@@ -130,9 +130,6 @@ TEST(Fresnel, Landmarks) {
     EXPECT_EQ(fresnel_square(c, 2.2, -2.9), 1 - c) << "exact at both ends";
     EXPECT_EQ(fresnel_rational(c, 1.26), 1 - c) << "exact at both ends";
   }
-  // Lagarde 2012: 0.003 and 0.000168 at c = 1
-  EXPECT_NEAR(fresnel_one_term(1.0, 8.35), 0.003, 0.0005);
-  EXPECT_NEAR(fresnel_quadratic(1.0, -5.55473, -6.98316), 0.000168, 0.0000005);
 }
 
 // Born and Wolf 1999: the landmarks of Fresnel's equations.
@@ -229,8 +226,6 @@ TEST(Srgb, DecodingIsTheInverse) {
   // Away from the joint, where the two functions choose their branches a hair apart.
   for (const char* x : {"0.0001", "0.003", "0.0032", "0.18", "0.5", "0.999"}) {
     EXPECT_TRUE(is_close(x, Decimal50(x), srgb_decode(srgb_encode(Decimal50(x))), 1e-47));
-    const Decimal50 gamma("2.2");
-    EXPECT_TRUE(is_close(x, Decimal50(x), gamma_decode(gamma_encode(Decimal50(x), gamma), gamma), 1e-47));
   }
   // 18 % of the light is code 117.6, half of it 187.5 (mpmath, from the formula of the standard)
   EXPECT_NEAR(255 * srgb_encode(0.18), 117.64581302261261, 1e-10);

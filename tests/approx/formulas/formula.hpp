@@ -10,7 +10,7 @@
 namespace shadefit::testing {
 
 /// Rows of decimal texts.
-using Arguments = std::vector<std::vector<const char*>>;
+using Rows = std::vector<std::vector<const char*>>;
 
 /// A formula as a callable on any scalar, with arguments that every scalar (half included) holds exactly, and
 /// the relative error in units of the scalar's epsilon that rounding may cause: an exponential multiplies the
@@ -19,7 +19,7 @@ template <class F>
 struct Formula {
   const char* name;
   F call;
-  Arguments arguments;
+  Rows arguments;
   double epsilons;
 };
 
@@ -28,13 +28,13 @@ struct Formula {
 #define PART_OF(function, member) \
 #function "." #member, [](auto... a) -> decltype(function(a...).member) { return function(a...).member; }
 /// The same for a constant, times 1.
-#define CONSTANT(function)                                                         \
-#function, [](auto one) { return one * function<decltype(one)>(); }, Arguments { \
-    { "1" }                                                                        \
+#define CONSTANT(function)                                                    \
+#function, [](auto one) { return one * function<decltype(one)>(); }, Rows { \
+    { "1" }                                                                   \
   }
 
 template <class F>
-Formula(const char*, F, Arguments, double) -> Formula<F>;
+Formula(const char*, F, Rows, double) -> Formula<F>;
 
 template <class T>
 Arc<T> arc_to(const T& angle) {

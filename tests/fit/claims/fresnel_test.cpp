@@ -41,13 +41,6 @@ TEST(Fresnel, ReflectanceOfGlossIsAMeanOfItsEnds) {
   }
 }
 
-TEST(Fresnel, TheExponentAtNormalIncidenceIsTheSum) {
-  const Decimal50 a("-5.55473"), b("-6.98316"), one(1);
-  EXPECT_EQ(decimal(static_cast<double>(fresnel_quadratic_exponent(one, a, b)), 10), "-12.53789");
-  EXPECT_TRUE(testing::is_close("c = 1", Decimal50(pow(Decimal50(2), Decimal50("-12.53789"))),
-                                fresnel_quadratic(one, a, b), 1e-48));
-}
-
 TEST(Where, APartIsACondition) {
   EXPECT_EQ(verdict_of_cases(3, 3), Verdict::confirmed);
   EXPECT_EQ(verdict_of_cases(1, 3), Verdict::conditional);

@@ -60,13 +60,5 @@ TEST(Harmonics, BandsAddUpToTheClampedCosine) {
   EXPECT_NEAR(peak, 1, 1e-4);
 }
 
-TEST(Harmonics, FactorsInFiftyDigits) {
-  // mpmath: mp.dps = 40; sqrt(1/(4*pi)), sqrt(3/(4*pi))
-  EXPECT_TRUE(is_close("0", Decimal50("0.2820947917738781434740397257803862929220"),
-                       harmonic_of_band_zero<Decimal50>(), 1e-39));
-  EXPECT_TRUE(is_close("1", Decimal50("0.4886025119029199215863846228383470045759"),
-                       harmonic_of_band_one<Decimal50>(), 1e-39));
-}
-
 }  // namespace
 }  // namespace shadefit

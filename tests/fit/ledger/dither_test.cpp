@@ -5,7 +5,6 @@
 #include <set>
 
 #include "fit/ledger/march.hpp"
-#include "fit/scalars/multiprecision.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {
@@ -77,14 +76,6 @@ TEST(March, MoreStepsCanBeWorseAtOneEdge) {
   EXPECT_EQ(share_made_worse(5, 10), 0) << "every old place is asked again";
   EXPECT_DOUBLE_EQ(share_made_worse(10, 15), 1.0 / 6);  // of each fifth of the ray the third of six parts
   EXPECT_DOUBLE_EQ(share_made_worse(75, 100), 0.25);    // of each 25th parts 4, 7 and 8 of twelve
-}
-
-TEST(Bilateral, WeightsAndMean) {
-  EXPECT_EQ(depth_weight(0.0, 0.05), 1);
-  EXPECT_EQ(depth_weight(20.0, 0.05), 0);
-  EXPECT_EQ(depth_weight(30.0, 0.05), 0);
-  EXPECT_EQ(guarded_mean(0.0, 0.0, 1e-4), 0);
-  EXPECT_EQ(guarded_mean(Decimal50(3), Decimal50(4), Decimal50(0)), Decimal50("0.75"));
 }
 
 }  // namespace

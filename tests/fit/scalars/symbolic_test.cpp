@@ -24,7 +24,7 @@ TEST(Symbolic, FormulasPrintThemselves) {
   EXPECT_EQ(to_text(gaussian_lobe(c, k, x)), "exp((k + x) (c - 1))");
   EXPECT_EQ(to_text(blinn_lobe_of_cosine(c, k, x)), "((1 + c)/2)^(x k/2)");
   EXPECT_EQ(to_text(schlick_reflectance(v("f0"), v("w"))), "f0 + (1 - f0) w");
-  EXPECT_EQ(to_text(one_term_sharpness(x)), "(5 + x)/ln2");
+  EXPECT_EQ(to_text((integer<Symbolic>(5) + x) / ln2<Symbolic>()), "(5 + x)/ln2");
   EXPECT_EQ(to_text(positive_part(c - k)), "max(c - k, 0)");
 }
 
@@ -33,7 +33,7 @@ TEST(Symbolic, FormulasPrintThemselvesInLatex) {
   EXPECT_EQ(to_latex(fresnel_quadratic(c, a, b)), R"(2^{\left(a c + b\right) c})");
   EXPECT_EQ(to_latex(gaussian_lobe(c, k, x)), R"(e^{\left(k + x\right) \left(c - 1\right)})");
   EXPECT_EQ(to_latex(blinn_lobe_of_cosine(c, k, x)), R"(\left(\frac{1 + c}{2}\right)^{\frac{x k}{2}})");
-  EXPECT_EQ(to_latex(one_term_sharpness(v("alpha"))), R"(\frac{5 + \alpha}{\ln 2})");
+  EXPECT_EQ(to_latex((integer<Symbolic>(5) + v("alpha")) / ln2<Symbolic>()), R"(\frac{5 + \alpha}{\ln 2})");
   EXPECT_EQ(to_latex(reflectance_at_normal(v("n1"))), R"(\left(\frac{n_{1} - 1}{n_{1} + 1}\right)^{2})");
   EXPECT_EQ(to_latex(sqrt(v("cos_theta"))), R"(\sqrt{\mathrm{cos\_theta}})");
   EXPECT_EQ(to_latex(v("theta_v") * v("F_i")), R"(\theta_{v} F_{i})");

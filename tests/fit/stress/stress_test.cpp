@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "approx/full_range.hpp"
+#include "approx/phase.hpp"
 #include "approx/phong_blinn.hpp"
+#include "approx/von_mises_fisher.hpp"
 #include "fit/stress/forms.hpp"
 #include "reports/rows/stress_tables.hpp"
 
