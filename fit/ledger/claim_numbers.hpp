@@ -87,20 +87,22 @@ class ClaimNumbers {
     return found;
   }
 
-  T value(std::string_view text) {
+  T value(std::string_view text) { return value(formula(text), text); }
+  double rounded(std::string_view text) { return static_cast<double>(value(text)); }
+  bool holds(std::string_view condition) { return value(choice(condition)) != 0; }
+
+  /// The value of a formula that is read already; `text` is what it was read from.
+  T value(const Symbolic& formula, std::string_view text) {
     const auto value_of = [&](const std::string& name) { return number(name); };
     T result;
     if constexpr (std::same_as<T, double>) {
-      result = evaluate<double>(formula(text), value_of);
+      result = evaluate<double>(formula, value_of);
     } else {
-      result = in_50_digits(formula(text), value_of);
+      result = in_50_digits(formula, value_of);
     }
     if (!(result - result == 0)) throw std::invalid_argument(fmt::format("'{}' has no value", text));
     return result;
   }
-  double rounded(std::string_view text) { return static_cast<double>(value(text)); }
-  bool holds(std::string_view condition) { return value(std::string(condition) + " ? 1 : 0") != 0; }
-
   /// The variable of that name that is bound innermost; null if there is none.
   const Bound<T>* bound(std::string_view name) { return bound_.find(name); }
 
@@ -156,15 +158,19 @@ class ClaimNumbers {
   }
 
   /// A formula as a function of a variable.
-  std::function<double(double)> function(std::string_view variable, std::string formula) {
-    return [this, variable, formula = std::move(formula)](double x) {
+  std::function<double(double)> function(std::string_view variable, std::string text) {
+    const Symbolic* read = &formula(text);
+    return [this, variable, read, text = std::move(text)](double x) {
       double found = 0;
-      bound_.with({{std::string(variable), T(x)}}, [&] { found = rounded(formula); });
+      bound_.with({{std::string(variable), T(x)}}, [&] { found = static_cast<double>(value(*read, text)); });
       return found;
     };
   }
 
  private:
+  /// A condition as a formula: 1 where it holds.
+  static std::string choice(std::string_view condition) { return std::string(condition) + " ? 1 : 0"; }
+
   const Symbolic& formula(std::string_view text) {
     auto found = formulas_.find(text);
     if (found == formulas_.end())
@@ -256,11 +262,13 @@ class ClaimNumbers {
     if (kind == "place") return where_largest(line.at(2), line.at(3), line.at(4));
     if (kind == "sum" || kind == "count") {
       T sum = 0;
-      at(line.at(2), [&] { sum += kind == "sum" ? value(line.at(3)) : T(holds(line.at(3)) ? 1 : 0); });
+      const std::string text = kind == "sum" ? std::string(line.at(3)) : choice(line.at(3));
+      const Symbolic& of_place = formula(text);
+      at(line.at(2), [&] { sum += value(of_place, text); });
       return sum;
     }
     if (kind == "root") {
-      const auto holds_at = function(line.at(2), std::string(line.at(5)) + " ? 1 : 0");
+      const auto holds_at = function(line.at(2), choice(line.at(5)));
       return T(last_by_halving(rounded(line.at(3)), rounded(line.at(4)), 60,
                                [&](double x) { return holds_at(x) != 0; }));
     }
