@@ -16,6 +16,7 @@
 #include "fit/catalogue/family.hpp"
 #include "fit/errors/extremum.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "fit/formula/tape_program.hpp"
 #include "fit/ledger/agreement.hpp"
 #include "fit/ledger/bound_variables.hpp"
 #include "fit/ledger/formats.hpp"
@@ -87,18 +88,25 @@ class ClaimNumbers {
     return found;
   }
 
-  T value(std::string_view text) { return value(formula(text), text); }
+  T value(std::string_view text) { return value(read(text), text); }
   double rounded(std::string_view text) { return static_cast<double>(value(text)); }
   bool holds(std::string_view condition) { return value(choice(condition)) != 0; }
 
+  /// A formula with the names that it has, and in double a tape of them.
+  struct Read {
+    Symbolic formula;
+    std::vector<std::string> names;
+    std::optional<TapeProgram<double>> tape = {};
+  };
+
   /// The value of a formula that is read already; `text` is what it was read from.
-  T value(const Symbolic& formula, std::string_view text) {
+  T value(Read& of, std::string_view text) {
     const auto value_of = [&](const std::string& name) { return number(name); };
     T result;
     if constexpr (std::same_as<T, double>) {
-      result = evaluate<double>(formula, value_of);
+      result = by_tape(of, text);
     } else {
-      result = in_50_digits(formula, value_of);
+      result = in_50_digits(of.formula, value_of);
     }
     if (!(result - result == 0)) throw std::invalid_argument(fmt::format("'{}' has no value", text));
     return result;
@@ -159,10 +167,10 @@ class ClaimNumbers {
 
   /// A formula as a function of a variable.
   std::function<double(double)> function(std::string_view variable, std::string text) {
-    const Symbolic* read = &formula(text);
-    return [this, variable, read, text = std::move(text)](double x) {
+    Read* of = &read(text);
+    return [this, variable, of, text = std::move(text)](double x) {
       double found = 0;
-      bound_.with({{std::string(variable), T(x)}}, [&] { found = static_cast<double>(value(*read, text)); });
+      bound_.with({{std::string(variable), T(x)}}, [&] { found = static_cast<double>(value(*of, text)); });
       return found;
     };
   }
@@ -171,11 +179,29 @@ class ClaimNumbers {
   /// A condition as a formula: 1 where it holds.
   static std::string choice(std::string_view condition) { return std::string(condition) + " ? 1 : 0"; }
 
-  const Symbolic& formula(std::string_view text) {
-    auto found = formulas_.find(text);
-    if (found == formulas_.end())
-      found = formulas_.emplace(std::string(text), read_formula(text, names_).formula).first;
-    return found->second;
+  const Symbolic& formula(std::string_view text) { return read(text).formula; }
+
+  Read& read(std::string_view text) {
+    if (const auto found = formulas_.find(text); found != formulas_.end()) return found->second;
+    Read of{read_formula(text, names_).formula, {}};
+    const auto names = free_variables(of.formula);
+    of.names.assign(names.begin(), names.end());
+    return formulas_.emplace(std::string(text), std::move(of)).first->second;
+  }
+
+  /// A tape computes both sides of a choice. Where a definition on one of them has no value, the other may
+  /// have one: then the tree of the formula computes that alone.
+  double by_tape(Read& of, std::string_view text) {
+    std::vector<double> values;
+    try {
+      for (const std::string& name : of.names) values.push_back(number(name));
+    } catch (const std::invalid_argument&) {
+      if (text.find('?') == std::string_view::npos) throw;
+      return evaluate<double>(of.formula, [&](const std::string& name) { return number(name); });
+    }
+    if (!of.tape) of.tape.emplace(tape_of(of.formula, of.names), std::span<const double>{});
+    of.tape->run(values);
+    return of.tape->output(0);
   }
 
   struct Found {
@@ -263,7 +289,7 @@ class ClaimNumbers {
     if (kind == "sum" || kind == "count") {
       T sum = 0;
       const std::string text = kind == "sum" ? std::string(line.at(3)) : choice(line.at(3));
-      const Symbolic& of_place = formula(text);
+      Read& of_place = read(text);
       at(line.at(2), [&] { sum += value(of_place, text); });
       return sum;
     }
@@ -304,7 +330,7 @@ class ClaimNumbers {
   const Claim& claim_;
   FormulaNames names_;
   TextTable<const Line*> lines_;
-  TextTable<Symbolic> formulas_;
+  TextTable<Read> formulas_;
   std::unordered_map<std::string_view, Found> constants_;
   std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
   TextTable<T> given_;     ///< numbers of the record, and those of verdicts
