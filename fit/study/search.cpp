@@ -77,13 +77,14 @@ std::vector<std::vector<double>> perhaps_lowest(const std::vector<StudyCandidate
   constexpr double share = 1.1, rounding = 1e-20, near = 1e-3;
   constexpr std::size_t most = 8;
   std::vector<std::vector<double>> places;
-  for (const auto& [own, square] : candidates) {
+  for (const StudyCandidate& candidate : candidates) {
+    const std::vector<double>& own = candidate.parameters;
     const auto is_near = [](double a, double b) {
       return std::abs(a - b) <= near * std::max(std::abs(a), std::abs(b));
     };
     const auto is_there = [&](const auto& place) { return std::ranges::equal(place, own, is_near); };
     const double highest = share * candidates.front().square + rounding * target_norm * target_norm;
-    if (square <= highest && places.size() < most && std::ranges::none_of(places, is_there))
+    if (candidate.square <= highest && places.size() < most && std::ranges::none_of(places, is_there))
       places.push_back(own);
   }
   return places;
