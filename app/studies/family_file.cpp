@@ -56,14 +56,6 @@ std::vector<PrintedValues> starts_of(const Family& family, const Surface& surfac
   return starts;
 }
 
-void take_surface(StudyFile& file, const Surface& surface, Error error) {
-  std::vector<StudyRange> over = std::move(file.study.over);
-  file.study = fresnel_study(surface, error);
-  file.study.over = std::move(over);
-  file.study.cuts.emplace();
-  if (const auto cut = end_of_fall(surface)) file.study.cuts->push_back(*cut);
-}
-
 void take_exponents(StudyFile& file, const NamedFit& named) {
   std::vector<std::string> exponents;
   const Family& family = *named.family;
@@ -79,20 +71,17 @@ StudyFile family_file(const NamedFit& named, const FitOptions& options) {
   const Family& family = *named.family;
   const Surface surface = surface_for(family, options);
   StudyFile file{.id = family.id, .about = family.variables, .study = family.study, .forms = {}};
-  file.study.over = {{"c", "0", "1"}};
-  file.study.given.clear();
-  file.study.target = to_text(family.target);
-  file.study.error = options.metric.error;
   if (family.is_fresnel) {
-    take_surface(file, surface, options.metric.error);
+    file.study = fresnel_study_to_fit(surface, options.metric.error);
   } else {
+    file.study.given.clear();
+    file.study.target = to_text(family.target);
+    file.study.error = options.metric.error;
     take_exponents(file, named);
   }
-  if (!options.metric.weight.empty()) {
-    std::string& weight = file.study.weight;
-    weight = weight == "1" ? options.metric.weight : fmt::format("({}) {}", options.metric.weight, weight);
-    file.study.cuts.reset();
-  }
+  file.study.over = {{"c", "0", "1"}};
+  multiply_weight(file.study, options.metric.weight);
+  if (!options.metric.weight.empty()) file.study.cuts.reset();  // the weight may ask for others
   file.study.parameters = family.parameters;
   file.forms = {{.id = family.id,
                  .formula = to_text(family.form),

@@ -67,10 +67,8 @@ Study fresnel_study(const Surface& surface, Error error) {
 Study study_of(const Family& family, const Setting& setting, const Metric& metric, const CosineRange& ends) {
   Study study = family.study;
   if (family.is_fresnel) {
-    study = fresnel_study(setting.surface, metric.error);
+    study = fresnel_study_to_fit(setting.surface, metric.error);
     study.form = family.study.form;
-    study.cuts.emplace();
-    if (const auto cut = end_of_fall(setting.surface)) study.cuts->push_back(*cut);
   } else {
     study.given["k"] = hex_text(setting.exponent);
     study.error = metric.error;
@@ -80,8 +78,20 @@ Study study_of(const Family& family, const Setting& setting, const Metric& metri
   study.held = metric.constraints.held;
   study.known_starts = starts_of(family, setting);
   if (metric.weight.empty()) return study;
-  study.weight = study.weight == "1" ? metric.weight : "(" + metric.weight + ") " + study.weight;
+  multiply_weight(study, metric.weight);
   return family.is_fresnel ? with_cuts(std::move(study)) : study;
+}
+
+Study fresnel_study_to_fit(const Surface& surface, Error error) {
+  Study study = fresnel_study(surface, error);
+  study.cuts.emplace();
+  if (const auto cut = end_of_fall(surface)) study.cuts->push_back(*cut);
+  return study;
+}
+
+void multiply_weight(Study& study, const std::string& weight) {
+  if (weight.empty()) return;
+  study.weight = study.weight == "1" ? weight : "(" + weight + ") " + study.weight;
 }
 
 double scale_of_weight(const Study& study, const std::string& weight) {

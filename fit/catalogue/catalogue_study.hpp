@@ -27,6 +27,12 @@ Study study_of(const Family& family, const Setting& setting, const Metric& metri
 /// that of the weight, for every f0; else errors are those of the reflectance.
 Study fresnel_study(const Surface& surface, Error error);
 
+/// The same for a fit: the range is cut where the target has fallen.
+Study fresnel_study_to_fit(const Surface& surface, Error error);
+
+/// Multiplies the weight of a study by another. An empty one changes nothing.
+void multiply_weight(Study& study, const std::string& weight);
+
 /// The root mean square of the weight of a metric over such a study; 1 of an empty one.
 double scale_of_weight(const Study& study, const std::string& weight);
 

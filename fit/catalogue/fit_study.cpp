@@ -93,16 +93,16 @@ StudyFit squares_from_starts(const Study& study) {
   return fit;
 }
 
-/// The fit from the known starts of a study; empty if there are none, or if they do not agree on an answer.
-/// Bounds, and constraints of least squares, have a search of their own.
-std::optional<StudyFit> fit_from_known_starts(const StudyObjective& objective) {
+/// Fits a study from its known starts. Returns nothing where the study has no starts, and where they do not
+/// agree on an answer. Bounds, and constraints of least squares, have a search of their own.
+std::optional<StudyFit> fit_from_known_starts(const StudyObjective& objective, const ReadStudy& read) {
   const Study& study = objective.study;
   const bool is_minimax = objective.norm == Norm::minimax;
   if (study.known_starts.empty() || !study.bounds.empty() || study.rows) return std::nullopt;
   if (!is_minimax && has_constraints(objective.constraints)) return std::nullopt;
   try {
     StudyFit fit = is_minimax ? minimax_from_start(objective) : squares_from_starts(study);
-    if (fit.status == Status::converged && !pole_of(read_study(study), fit.parameters)) return fit;
+    if (fit.status == Status::converged && !pole_of(read, fit.parameters)) return fit;
   } catch (const Infeasible&) {
     throw;
   } catch (const UserError&) {
@@ -114,7 +114,7 @@ std::optional<StudyFit> fit_from_known_starts(const StudyObjective& objective) {
 /// The fit of a study whose variable is its own, and whose formulas are read.
 StudyFit fit_in_its_variable(const StudyObjective& objective, ReadStudy read, const Checkpoint& checkpoint) {
   if (read.parameters.empty()) return errors_of_given(std::move(read));
-  if (auto known = fit_from_known_starts(objective)) return *std::move(known);
+  if (auto known = fit_from_known_starts(objective, read)) return *std::move(known);
   take_limits(read);
   const auto solve = [&](const ReadStudy& study, const std::vector<Held>& starts) {
     if (objective.norm == Norm::least_squares)

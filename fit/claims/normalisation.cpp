@@ -154,7 +154,8 @@ double furthest_place(const DistanceAt& distance) {
       .first;
 }
 
-/// The range of powers in which it is further away than `allowed`; not numbers if there is none.
+/// Returns the range of powers in which it is further away than `allowed`. Where no power is, both ends are
+/// not numbers.
 Range powers_beyond(const DistanceAt& distance, double allowed) {
   std::vector<double> places;
   for (double x = grid_first; x <= grid_last; x += grid_step) places.push_back(x);

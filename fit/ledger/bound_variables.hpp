@@ -27,7 +27,7 @@ struct Bound {
 template <class T>
 class BoundVariables {
  public:
-  /// The innermost of that name; null if there is none.
+  /// Finds the innermost variable of that name. Returns null where no variable has it.
   const Bound<T>* find(std::string_view name) {
     const auto found =
         std::find_if(all_.rbegin(), all_.rend(), [&](const auto& bound) { return bound.name == name; });

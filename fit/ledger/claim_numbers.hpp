@@ -111,7 +111,7 @@ class ClaimNumbers {
     if (!(result - result == 0)) throw std::invalid_argument(fmt::format("'{}' has no value", text));
     return result;
   }
-  /// The variable of that name that is bound innermost; null if there is none.
+  /// Finds the innermost variable of that name. Returns null where no variable has it.
   const Bound<T>* bound(std::string_view name) { return bound_.find(name); }
 
   T number(const std::string& name) {

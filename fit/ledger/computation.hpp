@@ -39,8 +39,8 @@ namespace shadefit {
 ///   name     runs PLACES CONDITION       "0 to 1 and 250 to 255": the places where it holds
 /// PLACES are "x in INPUT", "i in FROM .. TO" (whole steps), "i in printed" (then `printed_i` is that number),
 /// "t in conventions" (then `t_gamma`, 0 for sRGB, and `t_codes` are those of a transfer function), or several of
-/// these, by ", ". `{x_name}` is the item of a list as it stands; x is the number at its end, or if
-/// there is none, its place.
+/// these, by ", ". `{x_name}` is the item of a list as it stands. x is the number at its end. An item
+/// without a number has its place in the list for x.
 ///
 /// A verdict is "printed_0 = FORMULA", which judges the digits of a printed number or of an input, or a
 /// formula of the names of verdicts and of `undecided`. The worst counts. `{verdict_0}` is the name of the first.
