@@ -23,7 +23,6 @@
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
-#include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
@@ -53,9 +52,11 @@ std::string failed_lines(const Results& results) {
   }
   for (const JudgedClaim& judged : results.claims)
     if (!judged.finding.verdict) fail(std::string(judged.claim->id), judged.finding.evidence);
-  for (const Comparison& comparison : results.comparisons) {
-    err += not_reached_lines(comparison);
-    for (const std::string& fit : comparison.left_out) fail(target_of(comparison), fit);
+  for (const TargetComparison& target : results.comparisons) {
+    for (const StudyContender& contender : target.comparison.contenders) {
+      if (contender.published != nullptr && !contender.proof)
+        fail(target.title, contender.form + ": " + contender.unproven);
+    }
   }
   for (const auto& curve : results.reflectances) {
     for (const auto& point : curve.points) {

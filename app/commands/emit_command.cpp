@@ -79,8 +79,6 @@ ChosenStudySubject better_subject(const StudyFile& file, const Study& study, con
 ChosenStudySubject chosen_for_all(const StudyFile& file, std::vector<Study>& studies,
                                   const EmitOptions& options, const Checkpoint& checkpoint,
                                   const Progress& progress) {
-  if (options.better && is_known_id(file.id))
-    throw UserError(fmt::format("--better is for a study: see 'shadefit better {}'", options.fit.id));
   if (options.better && studies.size() == 1) {
     ChosenStudySubject better = better_subject(file, studies.front(), options, checkpoint);
     studies.front() = better.subject.study;
@@ -109,7 +107,7 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
   std::vector<Study> studies = combinations(file.study, file.given);
   const auto [subject, from, origin] = chosen_for_all(file, studies, options, checkpoint, progress);
   StudyFunction code = study_function(studies, subject.parameters, name, origin, checkpoint);
-  if (is_known_id(file.id)) code.facts.front() = code.facts.front() + "; " + file.about;
+  if (is_known_id(file.id) && !options.better) code.facts.front() = code.facts.front() + "; " + file.about;
   return code_with(code.facts, code.function, options);
 }
 
@@ -129,7 +127,8 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   if (options.fit.study.table == "-")
     throw UserError("--table '-' does not go with emit: the code names its table, for --check");
   const auto file = options.out ? std::optional(OutputFile("--out", *options.out, "the code")) : std::nullopt;
-  const StudyFile study = chosen_study(options.fit, checkpoint);
+  const StudyFile study =
+      options.better ? compared_study(options.fit, checkpoint) : chosen_study(options.fit, checkpoint);
   const std::string code = study_code(study, options, checkpoint, progress);
   if (!file) return {0, code, ""};
   return {0, fmt::format("Code: {}\n", printable(*options.out)), "",

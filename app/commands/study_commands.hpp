@@ -16,10 +16,9 @@ namespace shadefit {
 
 /// The published sets of a study against the fits of its forms, one for each combination of given constants.
 std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
-                                            const Progress& progress = unwatched);
+                                            const Progress& progress = unwatched,
+                                            Judged judged = Judged::yes);
 
-Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
-                             const Progress& progress);
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
                               const Checkpoint& checkpoint, const Progress& progress);
 /// The pages of a study, or of all studies in the folders.

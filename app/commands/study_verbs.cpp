@@ -9,8 +9,10 @@
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
 #include "app/output/progress.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/better/results.hpp"
 #include "fit/better/round_contenders.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/parallel.hpp"
@@ -21,21 +23,21 @@
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
-#include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/gallery.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_figure.hpp"
 #include "reports/studies/study_report.hpp"
 
-/// `better`, `explain`, `run` and `check` of a study.
+/// The command `better`, and `explain`, `run` and `check` of a study.
 namespace shadefit {
 namespace {
 
 std::string console_text(const StudyComparison& comparison, const Terminal& terminal) {
   return for_terminal(target_of(comparison)) + "\n" +
          write_console(study_comparison_table(comparison), Precision::report, terminal) +
-         left_out_lines(comparison.left_out);
+         joined(comparison.left_out, "",
+                [](const std::string& fit) { return "Left out: " + for_terminal(fit) + "\n"; });
 }
 
 /// What to use, and the command that emits it: that of the call, with `emit` in place of `better`.
@@ -82,21 +84,24 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
 }
 
 std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
-                                            const Progress& progress) {
+                                            const Progress& progress, Judged judged) {
   const std::vector<Study> studies = combinations(file.study, file.given);
   std::size_t steps = 0;
   for (const Study& study : studies) steps += steps_to_compare(file, study);
   // `stepping` counts its calls: one copy counts those of all studies.
   const Checkpoint next = stepping(checkpoint, progress, "compare", steps);
   std::vector<StudyComparison> comparisons;
-  for (const Study& study : studies) comparisons.push_back(compare_study(file, study, checkpoint, next));
+  for (const Study& study : studies)
+    comparisons.push_back(compare_study(file, study, checkpoint, next, judged));
   return comparisons;
 }
 
-Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
-                             const Progress& progress) {
+Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const StudyFile file = compared_study(options, checkpoint);
   if (options.plot) require_picture(*options.plot);
-  const auto comparisons = comparisons_of(file, checkpoint, progress);
+  // The report and `explain` judge the numbers of the catalogue.
+  const Judged judged = is_known_id(options.id) ? Judged::no : Judged::yes;
+  const auto comparisons = comparisons_of(file, checkpoint, progress, judged);
   if (options.plot && comparisons.size() > 1)
     throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: give one value by --given",
                                 *options.plot, comparisons.size()));

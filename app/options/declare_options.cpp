@@ -175,7 +175,7 @@ void add_study(CLI::App& command, FitOptions& options) {
 }
 
 /// --target, that also takes a formula, and the options of a study.
-void add_target_or_formula(CLI::App& command, FitOptions& options, const std::string& by_default) {
+void add_target_or_formula(CLI::App& command, FitOptions& options) {
   const auto parse_target = [&options](const std::string&, const std::string& text) {
     if (text == "schlick") options.target = Surface::Formula::schlick;
     if (text == "exact") options.target = Surface::Formula::exact;
@@ -183,8 +183,7 @@ void add_target_or_formula(CLI::App& command, FitOptions& options, const std::st
   };
   add_value(command, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
             "the function to approximate. A Fresnel form: schlick is (1-c)^5, exact is the reflectance of a "
-            "surface (default: " +
-                by_default + "). With --form: your formula");
+            "surface (default: schlick). With --form: your formula");
   add_surface(command, options);
 }
 
@@ -193,7 +192,7 @@ void add_fit(CLI::App& command, FitOptions& options) {
   add_subject(command, options);
   add_exponent(command, options, "of a published number its own, of a family the usual range");
   add_metric(command, options);
-  add_target_or_formula(command, options, "schlick");
+  add_target_or_formula(command, options);
   add_norm(command, options);
   add_study(command, options);
   add_constraints(command, options.metric);
@@ -272,9 +271,7 @@ void declare_better(CLI::App& better, FitOptions& options) {
   add_exponent(
       better, options,
       "the lowest and the highest for which the number was published, or of the family's usual range");
-  add_target_or_formula(better, options,
-                        fmt::format("schlick, then exact glass ({}) and exact gold ({}, {})", glass.ior,
-                                    gold.ior, gold.extinction));
+  add_target_or_formula(better, options);
   add_study(better, options);
   add_domain(better, options);
   add_json(better, options.json);

@@ -1,7 +1,6 @@
 #include "app/options/fit_arguments.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,25 +10,10 @@
 #include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
-#include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
-#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
-namespace {
-
-std::vector<double> exponents_for(const Family& family, const Published* published,
-                                  const std::optional<std::vector<double>>& exponents) {
-  if (!family.has_exponent()) {
-    if (!exponents) return {};
-    throw UserError(fmt::format("--exponent '{}' does not apply: {} has no exponent",
-                                fmt::join(*exponents, ","), family.id));
-  }
-  if (exponents) return *exponents;
-  return published != nullptr ? exponents_needed_by(*published, family) : parse_sweep(family.sweep);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Surface surface_for(const Family& family, const FitOptions& options) {
   const bool is_exact = options.target == Surface::Formula::exact;
@@ -38,7 +22,7 @@ Surface surface_for(const Family& family, const FitOptions& options) {
   };
   if (!family.is_fresnel) {
     const std::string reason = fmt::format("{} is not a Fresnel form", family.id);
-    if (is_exact) refuse("--target", "exact", reason);
+    if (options.target) refuse("--target", is_exact ? "exact" : "schlick", reason);
     if (options.ior) refuse("--ior", to_text(*options.ior), reason);
     if (options.extinction) refuse("--extinction", to_text(*options.extinction), reason);
     if (options.f0) refuse("--f0", to_text(*options.f0), reason);
@@ -67,14 +51,6 @@ Surface surface_for(const Family& family, const FitOptions& options) {
         "--ior '{}' reflects all light at normal incidence, to the precision of a double: no reflectance is above f0",
         ior));
   return surface;
-}
-
-std::vector<Setting> settings_for(const Family& family, const Published* published,
-                                  const FitOptions& options) {
-  const Surface surface = surface_for(family, options);
-  const auto exponents = exponents_for(family, published, options.exponents);
-  if (!family.has_exponent()) return {Setting{0, surface}};
-  return {exponents.begin(), exponents.end()};
 }
 
 NamedFit find_fit(const std::string& id) {

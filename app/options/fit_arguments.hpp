@@ -23,10 +23,6 @@ NamedFit find_fit(const std::string& id);
 /// The surface that a Fresnel form is fitted to. Refuses options that it would otherwise ignore.
 Surface surface_for(const Family& family, const FitOptions& options);
 
-/// The settings: one for each exponent, or one for the surface.
-std::vector<Setting> settings_for(const Family& family, const Published* published,
-                                  const FitOptions& options);
-
 /// The first of these options that counts for a fit alone, as a text; empty without any.
 std::string option_of_fits(const std::set<std::string>& present);
 

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "app/options/fit_arguments.hpp"
-#include "app/studies/family_file.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/better/results.hpp"
 #include "fit/catalogue/near_peak.hpp"
@@ -16,6 +15,7 @@
 #include "fit/input/bounded_file.hpp"
 #include "fit/input/known.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/family_file.hpp"
 
 namespace shadefit {
 namespace {
@@ -197,6 +197,12 @@ StudyFile named_file(const FitOptions& options) {
   return *std::move(found);
 }
 
+StudyFile named_family(const FitOptions& options) {
+  const auto [family, published] = find_fit(options.id);
+  const Metric& metric = options.metric;
+  return family_file(*family, published, surface_for(*family, options), metric.error, metric.weight);
+}
+
 /// The options that belong to a study, not to a built-in family.
 void change_study(StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint) {
   const StudyOptions& own = options.study;
@@ -236,7 +242,7 @@ StudyFile chosen_study(const FitOptions& options, const Checkpoint& checkpoint) 
         options.words.front()));
   }
   const bool is_family = is_known_id(options.id);
-  StudyFile file = is_family ? family_file(find_fit(options.id), options) : named_file(options);
+  StudyFile file = is_family ? named_family(options) : named_file(options);
   if (is_family) {
     refuse_formulas(options);
     if (!own.over.empty()) file.study.over = own.over;
@@ -252,6 +258,18 @@ StudyFile chosen_study(const FitOptions& options, const Checkpoint& checkpoint) 
   change_metric(file, options);
   require_fitting_parts(file, options);
   require_use(file, options);
+  return file;
+}
+
+StudyFile compared_study(const FitOptions& options, const Checkpoint& checkpoint) {
+  StudyFile file = chosen_study(options, checkpoint);
+  if (!is_known_id(options.id)) return file;
+  const auto [named, published] = find_fit(options.id);
+  const Family& family = *named;
+  take_rivals(file, family, published, surface_for(family, options));
+  if (!family.has_exponent() || options.exponents || !options.study.given.empty()) return file;
+  auto& exponents = file.given.front().second;
+  if (exponents.size() > 2) exponents = {exponents.front(), exponents.back()};
   return file;
 }
 

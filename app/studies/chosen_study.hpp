@@ -17,6 +17,10 @@ namespace shadefit {
 /// input.
 StudyFile chosen_study(const FitOptions& options, const Checkpoint& checkpoint);
 
+/// The same with all that competes for its target: for a built-in family all forms and published curves of
+/// the catalogue. Without exponents it has the lowest and the highest of its usual ones.
+StudyFile compared_study(const FitOptions& options, const Checkpoint& checkpoint);
+
 /// The constants of a study that `certify` and `emit` use.
 struct ChosenStudySubject {
   StudySubject subject;   ///< of the first form

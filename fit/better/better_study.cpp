@@ -6,6 +6,7 @@
 
 #include "approx/scalar.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "fit/squares/rules.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
@@ -43,14 +44,44 @@ bool is_shown(const SampledCurve& curve) {
                              [](double value) { return -slack <= value && value <= 1 + slack; });
 }
 
+/// The study by its formulas next to the peak of its form, if it has a peak, and the variable of those.
+struct NearPeak {
+  explicit NearPeak(const Study& study)
+      : read(read_formulas(near_peak(study))), variable(peak_variable(study)) {}
+
+  void take_cosines(std::vector<double>& place) const {
+    for (double& value : place) value = variable.cosine_at(value).cos_theta;
+  }
+
+  /// In the variable of the study. A sharp lobe is sampled a second time where it is not 0: c^k < exp(-48)
+  /// elsewhere.
+  SampledCurve sample(const std::vector<double>& values) const {
+    constexpr double end_of_lobe = -48;
+    SampledCurve curve = sample_curve(read, values);
+    if (variable.exponent > -end_of_lobe) {
+      ReadStudy lobe = read;
+      lobe.axes.front().lower = std::max(lobe.axes.front().lower, end_of_lobe);
+      append(curve, sample_curve(lobe, values));
+    }
+    for (std::vector<double>& place : curve.places) take_cosines(place);
+    return curve;
+  }
+
+  ReadStudy read;
+  PeakVariable variable;
+};
+
 StudyContender contender_of(const StudyForm& form, const Study& study, OthersText origin,
                             std::vector<double> values, std::vector<std::string> printed,
                             const Checkpoint& checkpoint) {
-  const ReadStudy read = read_study(study);
+  const ReadStudy read = read_formulas(study);
   const bool is_plain = error_of(study) == "max_abs_error";
-  const StudyExtremum largest = is_plain ? largest_error(read, values) : largest_weighted_error(read, values);
-  const double rms = rms_error(read, StudyError(read), values);
-  const SampledCurve curve = sample_curve(read, values);
+  const NearPeak peak(study);
+  StudyExtremum largest =
+      is_plain ? largest_error(peak.read, values) : largest_weighted_error(peak.read, values);
+  peak.take_cosines(largest.at);
+  const double rms = rms_error(peak.read, StudyError(peak.read), values);
+  const SampledCurve curve = peak.sample(values);
   const Symbolic code = at_parameters(read, read.form, values);
   const std::vector<StudyProperty> properties = properties_of(read, curve, printed);
   StudyContender contender{.form = form.id,
@@ -76,7 +107,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, OthersTex
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
                       const Checkpoint& checkpoint, const Checkpoint& next, Judged judged) {
   const Study study = with_form(comparison.study, form);
-  const ReadStudy read = read_study(study);
+  const ReadStudy read = read_formulas(study);
   for (const PublishedSet& set : file.published) {
     if (set.form != form.id || !is_for(set, study)) continue;
     next();
@@ -128,12 +159,13 @@ void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyF
   }
 }
 
-/// Whether a form has published constants of which one has no derivative, such as the threshold of a choice
-/// that jumps there. They can be compared, but nothing can be fitted, so no fit can judge them.
+/// Whether a form has published constants but none to fit: it has no parameters, or one without a derivative,
+/// such as the threshold of a choice that jumps there. They can be compared, but no fit can judge them.
 bool is_only_published(const StudyFile& file, const StudyForm& form, const Study& study) {
   if (std::ranges::find(file.published, form.id, &PublishedSet::form) == file.published.end()) return false;
-  const StudyError error(read_study(study));
-  return std::ranges::find(error.is_open(), true) != error.is_open().end();
+  const ReadStudy read = read_formulas(study);
+  const StudyError error(read);
+  return read.parameters.empty() || std::ranges::find(error.is_open(), true) != error.is_open().end();
 }
 
 void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
@@ -208,10 +240,10 @@ std::vector<KeepingFit> keeping_fits(const StudyComparison& comparison, const St
 /// The properties that a target shares with itself.
 std::vector<StudyProperty> properties_of_target(const StudyForm& form, const Study& study,
                                                 const std::vector<double>& values) {
-  const ReadStudy read = read_study(with_form(study, form));
-  SampledCurve curve = sample_curve(read, values);
+  const Study asked = with_form(study, form);
+  SampledCurve curve = NearPeak(asked).sample(values);
   curve.form = curve.target;
-  return properties_of(read, curve, {});
+  return properties_of(read_formulas(asked), curve, {});
 }
 
 bool is_better(const StudyContender& contender, const StudyContender& published) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/better/better.hpp"
+#include "fit/better/better_study.hpp"
 #include "fit/claims/normalisation_check.hpp"
 #include "fit/claims/reflectance.hpp"
 #include "fit/ledger/ledger.hpp"
@@ -14,18 +14,21 @@
 /// All results of a run, before they become rows.
 namespace shadefit {
 
+/// What is published for a target of the catalogue, and what is better.
+struct TargetComparison {
+  std::string title;
+  StudyFile file;  ///< the comparison points to its published sets
+  StudyComparison comparison;
+};
+
 struct Results {
   std::vector<Refit> refits;
   std::vector<FresnelLink> fresnel_chain;  ///< of the Fresnel families among the refits
   std::vector<NormalisationCheck> normalisations;
   std::vector<ReflectanceCurve> reflectances;
   std::vector<JudgedClaim> claims;
-  std::vector<Comparison> comparisons;  ///< better alternatives, for the wanted targets
+  std::vector<TargetComparison> comparisons;  ///< for the wanted targets
 };
-
-/// The comparison of a run: published curves against the minimax fit of each form, with more digits than the
-/// report shows.
-inline constexpr ComparisonOptions report_comparison{.width = 1e-6, .only_minimax = true};
 
 /// The ids of families and published constants.
 std::vector<std::string> fitted_ids();
@@ -45,7 +48,8 @@ std::vector<std::string> claim_ids();
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);
 
 /// Whether everything is as promised: every fit converged, also against exact surfaces; every normalisation
-/// was confirmed; every reflectance is exact enough; every claim was judged and every comparison proven.
+/// was confirmed; every reflectance is exact enough; every claim was judged and the error of every published
+/// curve proven.
 bool all_checks_passed(const Results& results);
 
 /// "sg-offset at exponent 5".

@@ -1,6 +1,8 @@
 #include "fit/better/sampled_curve.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "fit/formula/tape_program.hpp"
 #include "fit/study/even_grid.hpp"
@@ -49,6 +51,12 @@ SampledCurve sample_curve(const ReadStudy& study, const std::vector<double>& par
 SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& parameters,
                           const std::vector<double>& place) {
   return curve_at(study, parameters, {place});
+}
+
+void append(SampledCurve& curve, SampledCurve other) {
+  std::ranges::move(other.places, std::back_inserter(curve.places));
+  std::ranges::copy(other.target, std::back_inserter(curve.target));
+  std::ranges::copy(other.form, std::back_inserter(curve.form));
 }
 
 std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,

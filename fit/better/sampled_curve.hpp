@@ -21,6 +21,9 @@ SampledCurve sample_curve(const ReadStudy& study, const std::vector<double>& par
 SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& parameters,
                           const std::vector<double>& place);
 
+/// Appends the places of another.
+void append(SampledCurve& curve, SampledCurve other);
+
 /// The form alone, at these places.
 std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,
                             const std::vector<std::vector<double>>& places);

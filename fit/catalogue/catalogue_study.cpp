@@ -1,7 +1,6 @@
 #include "fit/catalogue/catalogue_study.hpp"
 
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,9 +8,7 @@
 
 #include "fit/catalogue/fit_study.hpp"
 #include "fit/catalogue/near_peak.hpp"
-#include "fit/squares/prepared_study.hpp"
 #include "fit/squares/rules.hpp"
-#include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
@@ -105,21 +102,6 @@ double scale_of_weight(const Study& study, const std::string& weight) {
   square.error = Error::absolute;
   const ReadStudy read = read_formulas(square);
   return rms_error(read, StudyError(read), {});
-}
-
-Objective objective_of(const Study& asked, const Metric& metric) {
-  const Study study = near_peak(asked);
-  if (metric.norm == Norm::minimax)
-    return [read = read_study(study)](std::span<const double> parameters) {
-      return largest_weighted_error(read, {parameters.begin(), parameters.end()}).magnitude;
-    };
-  const double scale = scale_of_weight(study, metric.weight);
-  const ReadStudy read = read_study(study);
-  return [prepared = std::make_shared<PreparedStudy>(study), scale, read,
-          has_poles = !moving_poles(read).empty()](std::span<const double> parameters) {
-    const std::vector<double> values(parameters.begin(), parameters.end());
-    return has_poles && pole_of(read, values) ? HUGE_VAL : prepared->rms_error(values) / scale;
-  };
 }
 
 }  // namespace shadefit

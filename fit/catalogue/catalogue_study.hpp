@@ -36,7 +36,4 @@ void multiply_weight(Study& study, const std::string& weight);
 /// The root mean square of the weight of a metric over such a study; 1 of an empty one.
 double scale_of_weight(const Study& study, const std::string& weight);
 
-/// What a metric minimises, of such a study without given parameters.
-Objective objective_of(const Study& study, const Metric& metric);
-
 }  // namespace shadefit

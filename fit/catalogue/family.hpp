@@ -61,9 +61,6 @@ struct CurvePoint {
   std::optional<double> relative_error;  ///< relative to `Fit::relative_to`; empty if it is not finite
 };
 
-/// A number that is to be small, at given parameters. One thread asks it at a time.
-using Objective = std::function<double(std::span<const double> parameters)>;
-
 /// A form and its target. Parameters are in the order of `parameters`.
 struct Family {
   std::string id, title;
@@ -96,9 +93,6 @@ struct Family {
   /// Of a change of the parameters.
   Effect effect(const Setting& setting, const Domain& domain, std::span<const double> from,
                 std::span<const double> to) const;
-
-  /// The quantity that the metric minimises: the rms error, or the largest weight * |error|.
-  Objective objective(const Setting& setting, const Metric& metric) const;
 
   /// Returns the part of a domain where a relative error has a meaning. It is empty if no part has one.
   std::optional<Domain> relative_domain(const Setting& setting, const Domain& domain) const;

@@ -89,14 +89,6 @@ std::vector<std::vector<double>> Family::starts_of(const Setting& setting) const
   return values;
 }
 
-Objective Family::objective(const Setting& setting, const Metric& metric) const {
-  const auto ends = ends_of(*this, setting, metric.domain, metric.error);
-  if (!ends) return [](std::span<const double>) { return std::numeric_limits<double>::quiet_NaN(); };
-  Metric free = metric;
-  free.constraints = {};
-  return objective_of(study_of(*this, setting, free, *ends), metric);
-}
-
 Fit Family::fit(const Setting& setting, const Metric& metric) const {
   Fit result{.parameters = std::vector<double>(parameters.size()), .family = this, .metric = metric};
   if (has_exponent()) result.exponent = setting.exponent;

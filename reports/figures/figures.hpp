@@ -7,7 +7,7 @@
 #include "reports/figures/figure.hpp"
 #include "reports/io/files.hpp"
 
-/// The figures of fits and comparisons.
+/// The figures of the report.
 namespace shadefit {
 
 /// The figures that the results allow: those of each refitted family whose fits all converged.
@@ -15,10 +15,6 @@ std::vector<Figure> make_figures(const Results& results);
 
 /// plots/NAME.csv and plots/NAME.gnuplot of each.
 std::vector<File> plot_files(const std::vector<Figure>& figures);
-
-/// The figure of a comparison: the errors of the published curves, three at most, and of the best curve that
-/// beats one of them, over the domain. On a surface the errors are those of the reflectance F.
-Figure better_figure(const Comparison& comparison);
 
 /// Of Fresnel's term, `fresnel` and `fresnel-errors`, for the section of that family: the published forms,
 /// Schlick's formula and the exact dielectric.

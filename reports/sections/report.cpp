@@ -6,11 +6,11 @@
 
 #include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
-#include "reports/rows/comparisons.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/sections/sections.hpp"
+#include "reports/studies/study_comparison.hpp"
 
 namespace shadefit {
 namespace {
@@ -52,6 +52,13 @@ std::string sources_section(const Results& results) {
   for (const Source* source : sources)
     out += fmt::format("- {}, *{}*, {}\n", linked(*source), source->title, source->place);
   return out;
+}
+
+Table better_table(const std::vector<TargetComparison>& targets) {
+  std::vector<StudyComparison> comparisons;
+  for (const TargetComparison& target : targets) comparisons.push_back(target.comparison);
+  if (comparisons.empty()) comparisons.push_back({.study = {}, .error = "max_abs_error", .variables = {"c"}});
+  return study_comparisons_table(comparisons);
 }
 
 }  // namespace
@@ -106,7 +113,7 @@ std::vector<File> table_files(const Results& results) {
           {"reflectance.csv", csv(reflectance_table(results.reflectances))},
           {"fresnel.csv", csv(fresnel_table(results.fresnel_chain))},
           {"claims.csv", csv(claims_table(results.claims))},
-          {"better.csv", csv(comparisons_table(results.comparisons, Precision::report))}};
+          {"better.csv", csv(better_table(results.comparisons))}};
 }
 
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {

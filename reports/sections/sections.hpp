@@ -43,9 +43,9 @@ Table glass_table(const std::vector<FresnelLink>& chain);
 /// the curve by the id of its published number, `schlick`, or `refitted` after the family.
 Table fresnel_table(const std::vector<FresnelLink>& chain);
 
-/// Better constants and forms at the same cost: a table for each target, and the published curves that no
-/// alternative beats.
-std::string better_section(const std::vector<Comparison>& comparisons);
+/// Better constants and forms at the same cost: a table for each target, and for each published curve the
+/// best one.
+std::string better_section(const std::vector<TargetComparison>& comparisons);
 
 /// Each normalisation constant and 1 over its integral; the ratio of the cheap to the exact constant over the
 /// exponent.

@@ -9,7 +9,6 @@
 #include "fit/verdicts/study_objectives.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
-#include "reports/rows/comparisons.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
 

@@ -166,8 +166,6 @@ TEST(Emit, TheBetterSetOfAStudy) {
                  "--better does not go with --norm: it names the constants");
   expect_refusal({"emit", "acos-linear", "--better", "--parameters", "a=1,b=2", "--lang", "glsl"},
                  "--better does not go with --parameters: it names the constants");
-  expect_refusal({"emit", "fresnel-quadratic", "--better", "--lang", "glsl"},
-                 "--better is for a study: see 'shadefit better fresnel-quadratic'");
   expect_refusal(
       {"emit", "--better", "--target", "x^2", "--form", "a x", "--over", "x=0:1", "--lang", "glsl"},
       "--better needs a published set to start from: the study has none");

@@ -68,8 +68,8 @@ TEST(PlotOption, RefusesWhatItCannotDraw) {
       "--plot '" + nowhere + "/a.svg' names no folder that is there: make '" + nowhere + "' first");
   EXPECT_FALSE(std::filesystem::exists(directory / "no"));
   fake_gnuplot(directory, "echo 'bad luck' >&2; exit 1");
-  expect_refusal({"better", "fresnel-one-term", "--plot", "a.svg"},
-                 "--plot 'a.svg' draws one target, and these are 3: name one with --target");
+  expect_refusal({"better", "sg-offset", "--plot", "a.svg"},
+                 "--plot 'a.svg' draws one target, and these are 2: give one value by --given");
   const std::string file = directory / "a.svg";
   expect_refusal({"fit", "fresnel-one-term", "--plot", file},
                  "--plot '" + file + "' was not drawn: bad luck");

@@ -95,7 +95,7 @@ TEST(Terminal, TablesAndExplanationsFitTheWidthAndAPipeHasAll) {
 
 TEST(Terminal, OfAComparisonFormConstantsErrorAndCostStay) {
   const std::string narrow = on_terminal({"better", "fresnel-one-term"}, 80);
-  expect_has(narrow, "\nform ");
+  expect_has(narrow, "\nrow  form ");
   for (const char* shown : {"  constants  ", "max abs error", "instructions\n"})
     EXPECT_NE(narrow.find(shown), std::string::npos) << shown << "\n" << narrow;
   expect_has(narrow, "(left out for the width of the terminal: ");

@@ -119,10 +119,6 @@ TEST(WeightedFit, AConstantFactorChangesNothing) {
           EXPECT_LE(a.rms_error,
                     error == Error::relative ? a.max_rel_error->magnitude : a.max_abs_error.magnitude)
               << what;
-          const Metric metric = a.metric;
-          EXPECT_NEAR(family.objective(setting, metric)(a.parameters) / a.level.value_or(a.rms_error), 1,
-                      1e-9)
-              << what;
         };
         const Fit plain = fitted("");
         expect_same(fitted("1"), plain, 1);

@@ -10,6 +10,10 @@
 
 #include "fit/catalogue/catalogue_study.hpp"
 #include "fit/catalogue/fit_study.hpp"
+#include "fit/catalogue/near_peak.hpp"
+#include "fit/squares/rules.hpp"
+#include "fit/study/largest_error.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -34,9 +38,10 @@ Fitted fitted(std::string_view id, const Metric& metric = {}, double exponent = 
                                 ends_of(family, exponent, metric.domain, metric.error).value()),
               .norm = metric.norm};
   of.fit = fit_study(of.asked);
-  const double scale = metric.norm == Norm::minimax ? 1 : scale_of_weight(of.asked.study, metric.weight);
-  of.objective = [scale, objective = objective_of(of.asked.study, metric)](const std::vector<double>& at) {
-    return scale * objective(at);
+  of.objective = [norm = metric.norm,
+                  read = read_study(near_peak(of.asked.study))](const std::vector<double>& at) {
+    return norm == Norm::minimax ? largest_weighted_error(read, at).magnitude
+                                 : rms_error(read, StudyError(read), at);
   };
   EXPECT_EQ(of.fit.status, Status::converged) << id << " " << of.fit.why;
   return of;

@@ -1,6 +1,4 @@
-#include "app/studies/family_file.hpp"
-
-#include <fmt/format.h>
+#include "fit/verdicts/family_file.hpp"
 
 #include <algorithm>
 
@@ -8,6 +6,7 @@
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
@@ -28,14 +27,13 @@ PublishedSet set_of(const Family& family, const Published& number) {
   return set;
 }
 
-/// The sets that are the best of their form; a set is named by its first number.
-std::vector<PublishedSet> best_sets(const Family& family) {
-  std::vector<PublishedSet> sets;
+/// The curves that were published; each is named by its first number.
+template <class Rule>
+void add_sets(StudyFile& file, const Family& family, const Rule& is_wanted) {
   for (const Published* number : numbers_of(family)) {
-    if (number->parameter == family.parameters.front() && number->statement == Statement::best_fit)
-      sets.push_back(set_of(family, *number));
+    if (number->parameter == family.parameters.front() && is_wanted(*number))
+      file.published.push_back(set_of(family, *number));
   }
-  return sets;
 }
 
 /// The points from which the form is fitted. Those of a lobe are formulas of k.
@@ -56,44 +54,70 @@ std::vector<PrintedValues> starts_of(const Family& family, const Surface& surfac
   return starts;
 }
 
-void take_exponents(StudyFile& file, const NamedFit& named) {
+StudyForm form_of(const Family& family, const Surface& surface) {
+  return {.id = family.id,
+          .formula = to_text(family.form),
+          .error = family.study.residual,
+          .near_peak = family.study.near_peak.form,
+          .starts = starts_of(family, surface)};
+}
+
+void take_exponents(StudyFile& file, const Family& family, const Published* published) {
   std::vector<std::string> exponents;
-  const Family& family = *named.family;
-  const std::vector<double> usual =
-      named.published != nullptr ? exponents_needed_by(*named.published, family) : parse_sweep(family.sweep);
-  for (const double exponent : usual) exponents.push_back(to_text(exponent));
+  for (const double exponent :
+       published != nullptr ? exponents_needed_by(*published, family) : parse_sweep(family.sweep))
+    exponents.push_back(to_text(exponent));
   file.given = {{"k", exponents}};
 }
 
 }  // namespace
 
-StudyFile family_file(const NamedFit& named, const FitOptions& options) {
-  const Family& family = *named.family;
-  const Surface surface = surface_for(family, options);
+StudyFile family_file(const Family& family, const Published* published, const Surface& surface, Error error,
+                      const std::string& weight) {
   StudyFile file{.id = family.id, .about = family.variables, .study = family.study, .forms = {}};
   if (family.is_fresnel) {
-    file.study = fresnel_study_to_fit(surface, options.metric.error);
+    file.study = fresnel_study_to_fit(surface, error);
   } else {
     file.study.given.clear();
     file.study.target = to_text(family.target);
-    file.study.error = options.metric.error;
-    take_exponents(file, named);
+    file.study.error = error;
+    take_exponents(file, family, published);
   }
   file.study.over = {{"c", "0", "1"}};
-  multiply_weight(file.study, options.metric.weight);
-  if (!options.metric.weight.empty()) file.study.cuts.reset();  // the weight may ask for others
+  multiply_weight(file.study, weight);
+  if (!weight.empty()) file.study.cuts.reset();  // the weight may ask for others
   file.study.parameters = family.parameters;
-  file.forms = {{.id = family.id,
-                 .formula = to_text(family.form),
-                 .error = family.study.residual,
-                 .near_peak = family.study.near_peak.form,
-                 .starts = starts_of(family, surface)}};
-  file.published = best_sets(family);
-  if (named.published != nullptr && named.published->statement != Statement::best_fit) {
-    file.published = {set_of(family, *named.published)};
+  file.forms = {form_of(family, surface)};
+  if (published != nullptr && published->statement != Statement::best_fit) {
+    file.published = {set_of(family, *published)};
     file.published.front().given.clear();
+  } else {
+    add_sets(file, family, [](const Published& number) { return number.statement == Statement::best_fit; });
   }
   return file;
+}
+
+void take_rivals(StudyFile& file, const Family& family, const Published* published, const Surface& surface) {
+  file.study.parameters.clear();
+  file.forms.clear();
+  file.published.clear();
+  const auto add = [&](const Family& rival) {
+    file.forms.push_back(form_of(rival, surface));
+    add_sets(file, rival, [&](const Published& number) { return &number != published; });
+  };
+  if (published != nullptr) file.published.push_back(set_of(family, *published));
+  add(family);
+  for (const Family& other : families())
+    if (other.id != family.id && have_same_target(family, other)) add(other);
+  if (family.is_fresnel && surface.is_exact()) {
+    file.forms.push_back({.id = "schlick", .formula = to_text(family.target)});
+    file.published.push_back({.form = "schlick", .values = {}, .source = std::string("Schlick 1994")});
+  }
+  for (PublishedSet& set : file.published) set.given.clear();
+}
+
+bool have_same_target(const Family& a, const Family& b) {
+  return to_text(a.target) == to_text(b.target);
 }
 
 void narrow_to_visible(StudyFile& file) {
