@@ -88,7 +88,7 @@ Study fresnel_study_to_fit(const Surface& surface, Error error) {
 
 void multiply_weight(Study& study, const std::string& weight) {
   if (weight.empty()) return;
-  study.weight = study.weight == "1" ? weight : "(" + weight + ") " + study.weight;
+  study.weight = study.weight == "1" ? weight : "(" + weight + ") (" + study.weight + ")";
 }
 
 double scale_of_weight(const Study& study, const std::string& weight) {

@@ -130,6 +130,15 @@ TEST(WeightedFit, AConstantFactorChangesNothing) {
   }
 }
 
+// On a surface the weight multiplies 1 - f0. The references were computed by MPFR and tanh-sinh integrals.
+TEST(WeightedFit, OnASurface) {
+  const Fit fit = find_family("fresnel-cubic")->fit({0, exact_surface(0.64, 4.11)}, {.weight = "exp(-c)"});
+  ASSERT_EQ(fit.status, Status::converged) << fit.why;
+  const std::vector<double> references{-1871.368510, 108.9599734, -18.97611801};
+  for (std::size_t i = 0; i < references.size(); ++i)
+    EXPECT_NEAR(fit.parameters[i] / references[i], 1, 1e-9);  // their last digit
+}
+
 // The nodes that a root of the weight wants at c = 0 are not taken from the peak of a lobe.
 TEST(WeightedFit, ARootFarFromThePeakTakesNoDigits) {
   for (const std::string_view id : {"sg-offset", "sg-scaled", "phong-blinn"}) {
