@@ -104,8 +104,10 @@ StudyContender contender_of(const StudyForm& form, const Study& study, OthersTex
   return contender;
 }
 
+using Cuts = std::optional<std::vector<double>>;
+
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
-                      const Checkpoint& checkpoint, const Checkpoint& next, Judged judged) {
+                      const Cuts& cuts, const Checkpoint& checkpoint, const Checkpoint& next, Judged judged) {
   const Study study = with_form(comparison.study, form);
   const ReadStudy read = read_formulas(study);
   for (const PublishedSet& set : file.published) {
@@ -126,6 +128,7 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     });
     StudyObjective asked = objective_of(study, file.norm, file.constraints);
     asked.recompute = file.recompute;
+    asked.target_cuts = cuts;
     contender.judgement =
         same != comparison.contenders.end() ? same->judgement : judge_set(asked, set, checkpoint);
     for (const ErrorClaim& claim : set.claims) contender.claims.push_back(judge_error(claim, study, values));
@@ -168,11 +171,12 @@ bool is_only_published(const StudyFile& file, const StudyForm& form, const Study
   return read.parameters.empty() || std::ranges::find(error.is_open(), true) != error.is_open().end();
 }
 
-void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
+void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form, const Cuts& cuts,
                  const Checkpoint& checkpoint, const Checkpoint& next) {
   const Study study = with_form(comparison.study, form);
-  for (const StudyObjective& objective : objectives_of(file, study)) {
+  for (StudyObjective objective : objectives_of(file, study)) {
     next();
+    objective.target_cuts = cuts;
     append_fit(comparison, file, form, objective, checkpoint);
   }
 }
@@ -306,8 +310,9 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
   for (const StudyForm& form : file.forms) {
     const bool is_first = comparison.contenders.empty();
     const bool is_fitted = !is_only_published(file, form, with_form(study, form));
-    append_published(comparison, file, form, checkpoint, next, is_fitted ? judged : Judged::no);
-    if (is_fitted) append_fits(comparison, file, form, checkpoint, next);
+    const Cuts cuts = is_fitted ? cuts_of_target(with_form(study, form)) : std::nullopt;
+    append_published(comparison, file, form, cuts, checkpoint, next, is_fitted ? judged : Judged::no);
+    if (is_fitted) append_fits(comparison, file, form, cuts, checkpoint, next);
     if (is_first && !comparison.contenders.empty())
       comparison.properties = properties_of_target(form, study, comparison.contenders.front().values);
   }

@@ -28,9 +28,15 @@ namespace {
 /// A fit whose nodes see what its formulas and its error do: where they do not, the study is cut and solved
 /// again.
 template <class Solve>
-StudyFit seen_fit(ReadStudy& study, const Solve& solve) {
+StudyFit seen_fit(ReadStudy& study, const std::optional<std::vector<double>>& target_cuts,
+                  const Solve& solve) {
   constexpr int most_rounds = 3;
-  std::optional<double> unresolved = cut_at_features(study);
+  std::optional<double> unresolved;
+  if (target_cuts) {
+    study.axes.front().cuts = *target_cuts;
+  } else {
+    unresolved = cut_at_features(study);
+  }
   StudyFit fit = solve();
   for (int round = 0; fit.status == Status::converged && !unresolved; ++round) {
     const Features missed = features_of_error(study, fit.parameters);
@@ -134,7 +140,7 @@ StudyFit fit_in_its_variable(const StudyObjective& objective, ReadStudy read, co
                ? solve_any(read, starts)
                : solve_bounded_study(read, objective.norm, objective.constraints, starts, solve_any);
   };
-  StudyFit fit = objective.study.cuts ? solve_read() : seen_fit(read, solve_read);
+  StudyFit fit = objective.study.cuts ? solve_read() : seen_fit(read, objective.target_cuts, solve_read);
   fit.is_sampled = !read.rows && !is_enclosed(read);
   if (const auto pole = fit.parameters.empty() ? std::nullopt : pole_of(read, fit.parameters))
     fail(fit, Status::at_border,
@@ -187,6 +193,14 @@ StudyFit fit_near_peak(const StudyObjective& objective, bool has_errors, const C
 }
 
 }  // namespace
+
+std::optional<std::vector<double>> cuts_of_target(const Study& study) {
+  if (study.cuts || has_peak(study)) return std::nullopt;
+  ReadStudy read = read_formulas(study);
+  take_limits(read);
+  if (cut_at_features(read)) return std::nullopt;
+  return read.axes.front().cuts;
+}
 
 Study with_cuts(Study study) {
   ReadStudy read = read_study(study);

@@ -19,7 +19,13 @@ struct StudyObjective {
   Norm norm = Norm::least_squares;
   Constraints constraints = {};
   std::optional<std::string> recompute = {};  ///< the formula that gave the values of the rows, if known
+  /// `cuts_of_target`, if somebody has looked for them.
+  std::optional<std::vector<double>> target_cuts = {};
 };
+
+/// The cuts of the only variable of a study at features of its target, weight, density and form. Many fits
+/// may share them. Empty if enclosures do not explain them all, and for a study that has cuts or a peak.
+std::optional<std::vector<double>> cuts_of_target(const Study& study);
 
 /// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
 /// value.

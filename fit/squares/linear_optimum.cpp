@@ -31,6 +31,18 @@ Square inverse_of(Square a) {
   return a;
 }
 
+/// The target at each node: it is the same for all parameters.
+std::vector<Decimal50> target_at(const ReadStudy& study, const StudyNodes& nodes) {
+  TapeProgram<Decimal50> program(tape_of(study.target, node_variables(study)), {});
+  std::vector<Decimal50> at(nodes.coordinates.size()), values;
+  for (std::size_t node = 0; node < nodes.weights.size(); ++node) {
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = nodes.coordinates[i][node];
+    program.run(at);
+    values.push_back(program.output(0));
+  }
+  return values;
+}
+
 }  // namespace
 
 std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const StudyNodes& nodes,
@@ -42,7 +54,12 @@ std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const 
   const std::size_t n = start.size();
   std::vector<std::string> names = study.parameters;
   std::ranges::copy(node_variables(study), std::back_inserter(names));
-  TapeProgram<Decimal50> program(tape_of(error_formula(study), names, n), {});
+  ReadStudy of_values = study;
+  const std::string target = " target";  // no variable has this name
+  of_values.target = Symbolic::variable(target);
+  names.push_back(target);
+  const std::vector<Decimal50> targets = target_at(study, nodes);
+  TapeProgram<Decimal50> program(tape_of(error_formula(of_values), names, n), {});
   std::vector<Decimal50> at(start.begin(), start.end());
   at.resize(names.size());
   LinearOptimum found;
@@ -52,7 +69,8 @@ std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const 
     std::vector<Decimal50> gradient(n);
     Decimal50 square = 0;
     for (std::size_t node = 0; node < nodes.weights.size(); ++node) {
-      for (std::size_t i = n; i < at.size(); ++i) at[i] = nodes.coordinates[i - n][node];
+      for (std::size_t i = n; i + 1 < at.size(); ++i) at[i] = nodes.coordinates[i - n][node];
+      at.back() = targets[node];
       program.run(at);
       const Decimal50 error = nodes.weights[node] * program.output(0);
       square += error * program.output(0);

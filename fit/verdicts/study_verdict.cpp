@@ -208,7 +208,11 @@ std::vector<std::string> values_of(const PublishedSet& set, const std::vector<st
 }
 
 TriedFits tried_fits(StudyObjective asked, const PublishedSet& set, const Checkpoint& checkpoint) {
-  asked.study = with_cuts(asked.study);
+  if (asked.target_cuts) {
+    asked.study.cuts = asked.target_cuts;
+  } else {
+    asked.study = with_cuts(asked.study);
+  }
   const std::vector<std::string> parameters = read_study(asked.study).parameters;
   const std::vector<std::string> printed = values_of(set, parameters);
   TriedFits tried{.is_stated = set.is_stated_fit};
