@@ -77,7 +77,8 @@ class SharedWork {
 }  // namespace
 
 unsigned cores() {
-  return std::max(1U, std::thread::hardware_concurrency());
+  static const unsigned count = std::max(1U, std::thread::hardware_concurrency());  // reads a file: 5 us
+  return count;
 }
 
 void for_each_in_parallel(std::size_t count, const PieceOfWork& work, const InParallel& how) {
