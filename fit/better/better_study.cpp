@@ -49,9 +49,7 @@ struct NearPeak {
   explicit NearPeak(const Study& study)
       : read(read_formulas(near_peak(study))), variable(peak_variable(study)) {}
 
-  void take_cosines(std::vector<double>& place) const {
-    for (double& value : place) value = variable.cosine_at(value).cos_theta;
-  }
+  double cosine_of(double value) const { return variable.cosine_at(value).cos_theta; }
 
   /// In the variable of the study. A sharp lobe is sampled a second time where it is not 0: c^k < exp(-48)
   /// elsewhere.
@@ -63,7 +61,7 @@ struct NearPeak {
       lobe.axes.front().lower = std::max(lobe.axes.front().lower, end_of_lobe);
       append(curve, sample_curve(lobe, values));
     }
-    for (std::vector<double>& place : curve.places) take_cosines(place);
+    for (SampledPlace& place : curve.places) place.front() = cosine_of(place.front());
     return curve;
   }
 
@@ -79,7 +77,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, OthersTex
   const NearPeak peak(study);
   StudyExtremum largest =
       is_plain ? largest_error(peak.read, values) : largest_weighted_error(peak.read, values);
-  peak.take_cosines(largest.at);
+  largest.at.front() = peak.cosine_of(largest.at.front());
   const double rms = rms_error(peak.read, StudyError(peak.read), values);
   const SampledCurve curve = peak.sample(values);
   const Symbolic code = at_parameters(read, read.form, values);

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "fit/study/study.hpp"
 
 namespace shadefit {
 
+/// One number for each variable, and 0 beyond: a table has millions.
+using SampledPlace = std::array<double, most_axes>;
+
 /// A form and its target at the same places.
 struct SampledCurve {
-  std::vector<std::vector<double>> places;  ///< one number for each variable
-  std::vector<double> target, form;         ///< NaN where a formula has no value
+  std::vector<SampledPlace> places;
+  std::vector<double> target, form;  ///< NaN where a formula has no value
 };
 
 /// A study at these parameters: in one variable at 1001 even places from end to end, in two on a grid of 49 x
@@ -26,6 +30,6 @@ void append(SampledCurve& curve, SampledCurve other);
 
 /// The form alone, at these places.
 std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,
-                            const std::vector<std::vector<double>>& places);
+                            const std::vector<SampledPlace>& places);
 
 }  // namespace shadefit

@@ -18,11 +18,10 @@ struct Neighbours {
 };
 
 /// All neighbours along a variable. Empty if most places have none: scattered rows are no lines.
-std::vector<Neighbours> neighbours_along(std::size_t variable,
-                                         const std::vector<std::vector<double>>& places) {
+std::vector<Neighbours> neighbours_along(std::size_t variable, const std::vector<SampledPlace>& places) {
   const auto beside = [&](std::size_t i) {  // the place in the plane of the other variables
-    std::vector<double> place = places[i];
-    place.erase(place.begin() + static_cast<std::ptrdiff_t>(variable));
+    SampledPlace place = places[i];
+    place[variable] = 0;
     return place;
   };
   std::vector<std::size_t> order(places.size());
@@ -78,7 +77,7 @@ double largest_error_where(const SampledCurve& curve, const Rule& is_wanted) {
 
 /// How far the form may move at each place if each printed constant moves by half a unit of its last digit.
 std::vector<double> reach_of_digits(const ReadStudy& study, const std::vector<std::string>& printed,
-                                    const std::vector<std::vector<double>>& places) {
+                                    const std::vector<SampledPlace>& places) {
   std::vector<double> values;
   for (const std::string& text : printed) values.push_back(constant<double>(text));
   const std::vector<double> form = form_at(study, values, places);
