@@ -17,11 +17,11 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/formula/tape_program.hpp"
-#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/bound_variables.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/told.hpp"
 #include "fit/ledger/transfer_function.hpp"
+#include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/binary_logarithm.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
@@ -70,6 +70,9 @@ class ClaimNumbers {
                                           Definition{names.variables, read_formula(text, names).formula});
     }
   }
+
+  /// A number that code found.
+  void give(std::string_view name, T value) { given_[std::string(name)] = value; }
 
   /// The definition of that name, or null.
   const Line* line_of(std::string_view name) const {
@@ -123,34 +126,7 @@ class ClaimNumbers {
   }
 
   /// Visits all places, with their variables bound.
-  void at(std::string_view places, const Visit& visit) {
-    const auto comma = places.find(", "), in = places.find(" in ");
-    const std::string name(places.substr(0, in));
-    const std::string_view range = places.substr(in + 4, comma - in - 4);
-    const Visit next =
-        comma == std::string_view::npos ? visit : [&, rest = places.substr(comma + 2)] { at(rest, visit); };
-    T index = 0;
-    if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
-      const T last = value(range.substr(dots + 4));
-      for (T i = value(range.substr(0, dots)); i <= last; i += 1) bound_.with({{name, i}}, next);
-    } else if (range == "printed") {
-      for (const Quantity& printed : claim_.printed)
-        bound_.with({{"printed_" + name, constant<T>(printed.value)}, {name, index++}}, next);
-    } else if (range == "conventions") {
-      for (const TransferFunction& t : conventions_of(claim_))
-        bound_.with({{name + "_gamma", T(t.gamma)}, {name + "_codes", T(t.codes)}, {name, index++, t.name}},
-                    next);
-    } else if (const std::string_view list = given_text(claim_, range);
-               list.find(':') != std::string_view::npos) {
-      for (const double x : parse_sweep(list)) bound_.with({{name, T(x)}}, next);
-    } else {
-      for (const std::string& item : items_of(list)) {
-        const auto number = parse_number(item.substr(item.rfind(' ') + 1));
-        bound_.with({{name, number ? T(*number) : index, item}}, next);
-        index += 1;
-      }
-    }
-  }
+  void at(std::string_view places, const Visit& visit);
 
   /// A formula as a function of the cosine `c` and of y = 1 - c; other names keep their value.
   auto curve(std::string_view text) {
@@ -176,6 +152,8 @@ class ClaimNumbers {
   }
 
  private:
+  static constexpr std::string_view words_of = "words of ";
+
   /// A condition as a formula: 1 where it holds.
   static std::string choice(std::string_view condition) { return std::string(condition) + " ? 1 : 0"; }
 
@@ -205,41 +183,58 @@ class ClaimNumbers {
   }
 
   struct Found {
-    T value;
-    double doubt = 0;  ///< of an integral
+    T value = 0;
+    double doubt = 0;                                 ///< of an integral
+    std::size_t outermost = BoundVariables<T>::none;  ///< of the bound variables that it needs
   };
 
   /// What a definition gives for the bound variables. It is kept if it needs none of them, or takes long.
   Found found_by(const Line& line) {
     if (const auto kept = constants_.find(line.at(0)); kept != constants_.end()) return kept->second;
     std::vector<Bound<T>> variables;
-    if (line.size() > 2) {
+    const bool takes_long = line.size() > 2 && line.at(1) != "in";
+    if (takes_long) {
       const auto kept = kept_.find({line.at(0), bound_.all()});
       if (kept != kept_.end()) {
-        bound_.use_all();
+        bound_.use(kept->second.outermost);
         return kept->second;
       }
       variables = bound_.all();
     }
-    Found found{T(0)};
-    const bool needs_variables = bound_.used_by([&] {
+    Found found;
+    const std::size_t outermost = bound_.used_by([&] {
       found = by_definition(line, [&]() -> Found {
         if (line.at(1) != "integral") return {line.size() > 2 ? searched(line) : value(line.at(1))};
         const Integral both = integral(line);
         return {T(both.value), both.error};
       });
     });
-    if (!needs_variables) constants_.emplace(line.at(0), found);
-    if (needs_variables && line.size() > 2) kept_.emplace(std::pair(line.at(0), variables), found);
+    found.outermost = outermost;
+    if (outermost == BoundVariables<T>::none) {
+      constants_.emplace(line.at(0), found);
+    } else if (takes_long) {
+      kept_.emplace(std::pair(line.at(0), variables), found);
+    }
     return found;
+  }
+
+  T largest_at(std::string_view places, std::string_view formula) {
+    std::optional<T> most;
+    Read& of = read(formula);
+    at(places, [&] {
+      const T now = value(of, formula);
+      if (!most || now > *most) most = now;
+    });
+    return most.value_or(0);
   }
 
   /// The place where a formula is largest, as the value of another; of values equal to rounding, the first.
   T where_largest(std::string_view places, std::string_view formula, std::string_view place) {
     std::optional<T> most;
     T found = 0;
+    Read& of = read(formula);
     at(places, [&] {
-      const T now = value(formula);
+      const T now = value(of, formula);
       if (most && now <= *most + T(equal_extrema) * abs(*most)) return;
       most = now;
       found = value(place);
@@ -268,8 +263,12 @@ class ClaimNumbers {
   /// The value of a formula with every operation rounded to a format.
   template <class Format>
   double in(std::string_view text) {
-    return widened(evaluate<Format>(formula(text), [&](const std::string& name) {
-      return rounded_to<Format>(static_cast<double>(number(name)));
+    const Read& of = read(text);
+    std::vector<Format> values;
+    for (const std::string& name : of.names)
+      values.push_back(rounded_to<Format>(static_cast<double>(number(name))));
+    return widened(evaluate<Format>(of.formula, [&](const std::string& name) {
+      return values[static_cast<std::size_t>(std::ranges::find(of.names, name) - of.names.begin())];
     }));
   }
 
@@ -282,50 +281,7 @@ class ClaimNumbers {
     });
   }
 
-  T searched(const Line& line) {
-    const std::string_view kind = line.at(1);
-    if (kind == "most") return where_largest(line.at(2), line.at(3), line.at(3));
-    if (kind == "place") return where_largest(line.at(2), line.at(3), line.at(4));
-    if (kind == "sum" || kind == "count") {
-      T sum = 0;
-      const std::string text = kind == "sum" ? std::string(line.at(3)) : choice(line.at(3));
-      Read& of_place = read(text);
-      at(line.at(2), [&] { sum += value(of_place, text); });
-      return sum;
-    }
-    if (kind == "root") {
-      const auto holds_at = function(line.at(2), choice(line.at(5)));
-      return T(last_by_halving(rounded(line.at(3)), rounded(line.at(4)), 60,
-                               [&](double x) { return holds_at(x) != 0; }));
-    }
-    if (kind == "doubt") return T(found_by(*line_of(line.at(2))).doubt);
-    if (kind == "largest") return T(largest_magnitude(curve(line.at(2)), Substitution({}, {})).magnitude);
-    if (kind == "largest-at")
-      return T(largest_magnitude(curve(line.at(2)), Substitution({}, {})).at.cos_theta);
-    if (kind == "sampled") return T(largest_sampled(function(line.at(2), std::string(line.at(3)))));
-    if (kind == "optimum")
-      return T(
-          find_family(line.at(2))->fit({}, {}).parameters[static_cast<std::size_t>(number_of(line.at(3)))]);
-    if (kind == "units")
-      return T(static_cast<double>(units_off(given_text(claim_, line.at(2)), rounded(line.at(3)))));
-    if (kind == "unit") return T(last_unit(given_text(claim_, line.at(2))));
-    if (kind == "in")
-      return T(in_format_of(line.at(2), [&]<class Format>() { return in<Format>(line.at(3)); }));
-    if (kind == "last")
-      return T(in_format_of(line.at(2), [&]<class Format>() { return last_in<Format>(line); }));
-    if (kind == "least")
-      return T(in_format_of(line.at(2),
-                            []<class Format>() { return widened(std::numeric_limits<Format>::min()); }));
-    if (kind == "greatest")
-      return T(in_format_of(line.at(2),
-                            []<class Format>() { return widened(std::numeric_limits<Format>::max()); }));
-    if constexpr (!std::same_as<T, double>) {
-      static const RootsOfTwo<T> roots;
-      if (kind == "squares") return log2_by_squares(value(line.at(2)));
-      if (kind == "roots") return roots.exp2(value(line.at(2)));
-    }
-    throw std::logic_error(fmt::format("{} computes nothing by '{}'", claim_.id, kind));
-  }
+  T searched(const Line& line);
 
   const Claim& claim_;
   FormulaNames names_;
@@ -333,7 +289,7 @@ class ClaimNumbers {
   TextTable<Read> formulas_;
   std::unordered_map<std::string_view, Found> constants_;
   std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
-  TextTable<T> given_;     ///< numbers of the record, and those of verdicts
+  TextTable<T> given_;     ///< numbers of the record, of code, and those of verdicts
   std::size_t depth_ = 0;  ///< of the definitions that are being computed
   BoundVariables<T> bound_;
 };

@@ -1,6 +1,5 @@
 #include "fit/ledger/computation.hpp"
 
-#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/read_claims.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
