@@ -95,10 +95,17 @@ class ClaimNumbers {
   double rounded(std::string_view text) { return static_cast<double>(value(text)); }
   bool holds(std::string_view condition) { return value(choice(condition)) != 0; }
 
+  /// Where a name that is not bound has its number: in a definition, or in the record.
+  struct Origin {
+    const Line* line = nullptr;
+    const T* given = nullptr;
+  };
+
   /// A formula with the names that it has, and in double a tape of them.
   struct Read {
     Symbolic formula;
-    std::vector<std::string> names;
+    std::vector<std::string> names = {};
+    std::vector<Origin> origins = {};  ///< of the names
     std::optional<TapeProgram<double>> tape = {};
   };
 
@@ -118,11 +125,8 @@ class ClaimNumbers {
   const Bound<T>* bound(std::string_view name) { return bound_.find(name); }
 
   T number(const std::string& name) {
-    if (const auto* found = bound(name)) return found->value;
-    if (const Line* line = line_of(name)) return found_by(*line).value;
-    if (const auto given = given_.find(name); given != given_.end()) return given->second;
-    const bool is_end = name.ends_with("_first") || name.ends_with("_last");
-    return given_[name] = is_end ? T(given_number(claim_, name)) : constant<T>(given_text(claim_, name));
+    Origin origin{line_of(name)};
+    return number(name, origin);
   }
 
   /// Visits all places, with their variables bound.
@@ -152,6 +156,19 @@ class ClaimNumbers {
   }
 
  private:
+  T number(const std::string& name, Origin& origin) {
+    if (const auto* found = bound(name)) return found->value;
+    if (origin.line != nullptr) return found_by(*origin.line).value;
+    if (origin.given == nullptr) origin.given = &given(name);
+    return *origin.given;
+  }
+
+  const T& given(const std::string& name) {
+    if (const auto found = given_.find(name); found != given_.end()) return found->second;
+    const bool is_end = name.ends_with("_first") || name.ends_with("_last");
+    return given_[name] = is_end ? T(given_number(claim_, name)) : constant<T>(given_text(claim_, name));
+  }
+
   static constexpr std::string_view words_of = "words of ";
 
   /// A condition as a formula: 1 where it holds.
@@ -161,9 +178,10 @@ class ClaimNumbers {
 
   Read& read(std::string_view text) {
     if (const auto found = formulas_.find(text); found != formulas_.end()) return found->second;
-    Read of{read_formula(text, names_).formula, {}};
+    Read of{read_formula(text, names_).formula};
     const auto names = free_variables(of.formula);
     of.names.assign(names.begin(), names.end());
+    for (const std::string& name : of.names) of.origins.push_back({line_of(name)});
     return formulas_.emplace(std::string(text), std::move(of)).first->second;
   }
 
@@ -172,7 +190,7 @@ class ClaimNumbers {
   double by_tape(Read& of, std::string_view text) {
     std::vector<double> values;
     try {
-      for (const std::string& name : of.names) values.push_back(number(name));
+      for (std::size_t i = 0; i < of.names.size(); ++i) values.push_back(number(of.names[i], of.origins[i]));
     } catch (const std::invalid_argument&) {
       if (text.find('?') == std::string_view::npos) throw;
       return evaluate<double>(of.formula, [&](const std::string& name) { return number(name); });
@@ -190,11 +208,11 @@ class ClaimNumbers {
 
   /// What a definition gives for the bound variables. It is kept if it needs none of them, or takes long.
   Found found_by(const Line& line) {
-    if (const auto kept = constants_.find(line.at(0)); kept != constants_.end()) return kept->second;
+    if (const auto kept = constants_.find(&line); kept != constants_.end()) return kept->second;
     std::vector<Bound<T>> variables;
     const bool takes_long = line.size() > 2 && line.at(1) != "in";
     if (takes_long) {
-      const auto kept = kept_.find({line.at(0), bound_.all()});
+      const auto kept = kept_.find({&line, bound_.all()});
       if (kept != kept_.end()) {
         bound_.use(kept->second.outermost);
         return kept->second;
@@ -211,36 +229,15 @@ class ClaimNumbers {
     });
     found.outermost = outermost;
     if (outermost == BoundVariables<T>::none) {
-      constants_.emplace(line.at(0), found);
+      constants_.emplace(&line, found);
     } else if (takes_long) {
-      kept_.emplace(std::pair(line.at(0), variables), found);
+      kept_.emplace(std::pair(&line, variables), found);
     }
     return found;
   }
 
-  T largest_at(std::string_view places, std::string_view formula) {
-    std::optional<T> most;
-    Read& of = read(formula);
-    at(places, [&] {
-      const T now = value(of, formula);
-      if (!most || now > *most) most = now;
-    });
-    return most.value_or(0);
-  }
-
-  /// The place where a formula is largest, as the value of another; of values equal to rounding, the first.
-  T where_largest(std::string_view places, std::string_view formula, std::string_view place) {
-    std::optional<T> most;
-    T found = 0;
-    Read& of = read(formula);
-    at(places, [&] {
-      const T now = value(of, formula);
-      if (most && now <= *most + T(equal_extrema) * abs(*most)) return;
-      most = now;
-      found = value(place);
-    });
-    return found;
-  }
+  T largest_at(std::string_view places, std::string_view formula);
+  T where_largest(std::string_view places, std::string_view formula, std::string_view place);
 
   /// By the first rule, with the doubt of both.
   Integral integral(const Line& line) {
@@ -263,10 +260,10 @@ class ClaimNumbers {
   /// The value of a formula with every operation rounded to a format.
   template <class Format>
   double in(std::string_view text) {
-    const Read& of = read(text);
+    Read& of = read(text);
     std::vector<Format> values;
-    for (const std::string& name : of.names)
-      values.push_back(rounded_to<Format>(static_cast<double>(number(name))));
+    for (std::size_t i = 0; i < of.names.size(); ++i)
+      values.push_back(rounded_to<Format>(static_cast<double>(number(of.names[i], of.origins[i]))));
     return widened(evaluate<Format>(of.formula, [&](const std::string& name) {
       return values[static_cast<std::size_t>(std::ranges::find(of.names, name) - of.names.begin())];
     }));
@@ -287,8 +284,8 @@ class ClaimNumbers {
   FormulaNames names_;
   TextTable<const Line*> lines_;
   TextTable<Read> formulas_;
-  std::unordered_map<std::string_view, Found> constants_;
-  std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
+  std::unordered_map<const Line*, Found> constants_;
+  std::map<std::pair<const Line*, std::vector<Bound<T>>>, Found> kept_;
   TextTable<T> given_;     ///< numbers of the record, of code, and those of verdicts
   std::size_t depth_ = 0;  ///< of the definitions that are being computed
   BoundVariables<T> bound_;

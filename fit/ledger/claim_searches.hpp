@@ -42,6 +42,32 @@ void ClaimNumbers<T>::at(std::string_view places, const Visit& visit) {
 }
 
 template <class T>
+T ClaimNumbers<T>::largest_at(std::string_view places, std::string_view formula) {
+  std::optional<T> most;
+  Read& of = read(formula);
+  at(places, [&] {
+    const T now = value(of, formula);
+    if (!most || now > *most) most = now;
+  });
+  return most.value_or(0);
+}
+
+/// The place where a formula is largest, as the value of another; of values equal to rounding, the first.
+template <class T>
+T ClaimNumbers<T>::where_largest(std::string_view places, std::string_view formula, std::string_view place) {
+  std::optional<T> most;
+  T found = 0;
+  Read& of = read(formula);
+  at(places, [&] {
+    const T now = value(of, formula);
+    if (most && now <= *most + T(equal_extrema) * abs(*most)) return;
+    most = now;
+    found = value(place);
+  });
+  return found;
+}
+
+template <class T>
 T ClaimNumbers<T>::searched(const Line& line) {
   const std::string_view kind = line.at(1);
   if (kind == "most") return largest_at(line.at(2), line.at(3));
