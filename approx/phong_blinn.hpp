@@ -51,23 +51,4 @@ ApproachLaw<T> factor_law(const T& p) {
   return {integer<T>(4), (p + integer<T>(2)) / integer<T>(2)};
 }
 
-/// sin(e/2) for the largest excess e of twice the Blinn angle over the Phong angle, over all lights above the
-/// surface: 1 - n.v. It is reached by a light on the horizon with l.v = n.v - 1.
-///
-/// With n.l = 0 and u = 1 + l.v, sin(phong/2) = sqrt(u/2) and cos(blinn) = n.v/sqrt(2u): the sum of the two
-/// arc sines, pi/2 less half the excess, is smallest for equal sines, since their product n.v/2 is fixed.
-/// That lights above the horizon give no larger excess is checked by search, not derived here.
-template <class T>
-T sine_of_half_excess(const T& n_dot_v) {
-  return integer<T>(1) - n_dot_v;
-}
-
-/// The limit of Phong angle over Blinn angle as both go to 0 perpendicular to the plane of n and v: 2 n.v. A
-/// light at the angle e from the mirror direction moves r by e. It moves h, which is (l + v)/(2 n.v) there,
-/// by e/(2 n.v). Within the plane the limit is 2.
-template <class T>
-T angle_ratio_across(const T& n_dot_v) {
-  return integer<T>(2) * n_dot_v;
-}
-
 }  // namespace shadefit

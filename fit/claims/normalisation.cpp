@@ -154,13 +154,13 @@ double furthest_place(const DistanceAt& distance) {
       .first;
 }
 
-/// Returns the range of powers in which it is further away than `allowed`. Where no power is, both ends are
-/// not numbers.
+/// Returns the range of powers in which it is further away than `allowed`. Where no power is, both ends
+/// are 0.
 Range powers_beyond(const DistanceAt& distance, double allowed) {
   std::vector<double> places;
   for (double x = grid_first; x <= grid_last; x += grid_step) places.push_back(x);
   const auto beyond = where_positive([&](double x) { return distance(x) - allowed; }, places, root_bits);
-  if (beyond.empty()) return {std::nan(""), std::nan("")};
+  if (beyond.empty()) return {0, 0};
   return {std::exp2(beyond.front().from), std::exp2(beyond.back().to)};
 }
 

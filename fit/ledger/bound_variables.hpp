@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -36,26 +36,28 @@ class BoundVariables {
     return &*found;
   }
 
-  void with(const std::vector<Bound<T>>& variables, const std::function<void()>& visit) {
-    all_.insert(all_.end(), variables.begin(), variables.end());
+  template <class Visit>
+  void with(std::initializer_list<Bound<T>> variables, const Visit& visit) {
+    all_.insert(all_.end(), variables);
     visit();
     all_.erase(all_.end() - std::ssize(variables), all_.end());
   }
 
-  /// Whether the visit used a variable that was bound before.
-  bool used_by(const std::function<void()>& visit) {
+  /// The place of the outermost variable that the visit used, of those that were bound before; or `none`.
+  template <class Visit>
+  std::size_t used_by(const Visit& visit) {
     const std::size_t before = std::exchange(outermost_, none);
     visit();
-    const bool is_used = outermost_ < all_.size();
-    outermost_ = std::min(before, is_used ? outermost_ : none);
-    return is_used;
+    const std::size_t used = outermost_ < all_.size() ? outermost_ : none;
+    outermost_ = std::min(before, used);
+    return used;
   }
+  void use(std::size_t place) { outermost_ = std::min(outermost_, place); }
 
   const std::vector<Bound<T>>& all() const { return all_; }
-  void use_all() { outermost_ = 0; }
+  static constexpr auto none = std::numeric_limits<std::size_t>::max();
 
  private:
-  static constexpr auto none = std::numeric_limits<std::size_t>::max();
   std::vector<Bound<T>> all_;
   std::size_t outermost_ = none;  ///< of those that were used
 };

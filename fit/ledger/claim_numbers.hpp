@@ -17,11 +17,11 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/formula/tape_program.hpp"
-#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/bound_variables.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/told.hpp"
 #include "fit/ledger/transfer_function.hpp"
+#include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/binary_logarithm.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
@@ -71,6 +71,9 @@ class ClaimNumbers {
     }
   }
 
+  /// A number that code found.
+  void give(std::string_view name, T value) { given_[std::string(name)] = value; }
+
   /// The definition of that name, or null.
   const Line* line_of(std::string_view name) const {
     const auto found = lines_.find(name);
@@ -92,10 +95,17 @@ class ClaimNumbers {
   double rounded(std::string_view text) { return static_cast<double>(value(text)); }
   bool holds(std::string_view condition) { return value(choice(condition)) != 0; }
 
+  /// Where a name that is not bound has its number: in a definition, or in the record.
+  struct Origin {
+    const Line* line = nullptr;
+    const T* given = nullptr;
+  };
+
   /// A formula with the names that it has, and in double a tape of them.
   struct Read {
     Symbolic formula;
-    std::vector<std::string> names;
+    std::vector<std::string> names = {};
+    std::vector<Origin> origins = {};  ///< of the names
     std::optional<TapeProgram<double>> tape = {};
   };
 
@@ -115,42 +125,12 @@ class ClaimNumbers {
   const Bound<T>* bound(std::string_view name) { return bound_.find(name); }
 
   T number(const std::string& name) {
-    if (const auto* found = bound(name)) return found->value;
-    if (const Line* line = line_of(name)) return found_by(*line).value;
-    if (const auto given = given_.find(name); given != given_.end()) return given->second;
-    const bool is_end = name.ends_with("_first") || name.ends_with("_last");
-    return given_[name] = is_end ? T(given_number(claim_, name)) : constant<T>(given_text(claim_, name));
+    Origin origin{line_of(name)};
+    return number(name, origin);
   }
 
   /// Visits all places, with their variables bound.
-  void at(std::string_view places, const Visit& visit) {
-    const auto comma = places.find(", "), in = places.find(" in ");
-    const std::string name(places.substr(0, in));
-    const std::string_view range = places.substr(in + 4, comma - in - 4);
-    const Visit next =
-        comma == std::string_view::npos ? visit : [&, rest = places.substr(comma + 2)] { at(rest, visit); };
-    T index = 0;
-    if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
-      const T last = value(range.substr(dots + 4));
-      for (T i = value(range.substr(0, dots)); i <= last; i += 1) bound_.with({{name, i}}, next);
-    } else if (range == "printed") {
-      for (const Quantity& printed : claim_.printed)
-        bound_.with({{"printed_" + name, constant<T>(printed.value)}, {name, index++}}, next);
-    } else if (range == "conventions") {
-      for (const TransferFunction& t : conventions_of(claim_))
-        bound_.with({{name + "_gamma", T(t.gamma)}, {name + "_codes", T(t.codes)}, {name, index++, t.name}},
-                    next);
-    } else if (const std::string_view list = given_text(claim_, range);
-               list.find(':') != std::string_view::npos) {
-      for (const double x : parse_sweep(list)) bound_.with({{name, T(x)}}, next);
-    } else {
-      for (const std::string& item : items_of(list)) {
-        const auto number = parse_number(item.substr(item.rfind(' ') + 1));
-        bound_.with({{name, number ? T(*number) : index, item}}, next);
-        index += 1;
-      }
-    }
-  }
+  void at(std::string_view places, const Visit& visit);
 
   /// A formula as a function of the cosine `c` and of y = 1 - c; other names keep their value.
   auto curve(std::string_view text) {
@@ -176,6 +156,21 @@ class ClaimNumbers {
   }
 
  private:
+  T number(const std::string& name, Origin& origin) {
+    if (const auto* found = bound(name)) return found->value;
+    if (origin.line != nullptr) return found_by(*origin.line).value;
+    if (origin.given == nullptr) origin.given = &given(name);
+    return *origin.given;
+  }
+
+  const T& given(const std::string& name) {
+    if (const auto found = given_.find(name); found != given_.end()) return found->second;
+    const bool is_end = name.ends_with("_first") || name.ends_with("_last");
+    return given_[name] = is_end ? T(given_number(claim_, name)) : constant<T>(given_text(claim_, name));
+  }
+
+  static constexpr std::string_view words_of = "words of ";
+
   /// A condition as a formula: 1 where it holds.
   static std::string choice(std::string_view condition) { return std::string(condition) + " ? 1 : 0"; }
 
@@ -183,9 +178,10 @@ class ClaimNumbers {
 
   Read& read(std::string_view text) {
     if (const auto found = formulas_.find(text); found != formulas_.end()) return found->second;
-    Read of{read_formula(text, names_).formula, {}};
+    Read of{read_formula(text, names_).formula};
     const auto names = free_variables(of.formula);
     of.names.assign(names.begin(), names.end());
+    for (const std::string& name : of.names) of.origins.push_back({line_of(name)});
     return formulas_.emplace(std::string(text), std::move(of)).first->second;
   }
 
@@ -194,7 +190,7 @@ class ClaimNumbers {
   double by_tape(Read& of, std::string_view text) {
     std::vector<double> values;
     try {
-      for (const std::string& name : of.names) values.push_back(number(name));
+      for (std::size_t i = 0; i < of.names.size(); ++i) values.push_back(number(of.names[i], of.origins[i]));
     } catch (const std::invalid_argument&) {
       if (text.find('?') == std::string_view::npos) throw;
       return evaluate<double>(of.formula, [&](const std::string& name) { return number(name); });
@@ -205,47 +201,43 @@ class ClaimNumbers {
   }
 
   struct Found {
-    T value;
-    double doubt = 0;  ///< of an integral
+    T value = 0;
+    double doubt = 0;                                 ///< of an integral
+    std::size_t outermost = BoundVariables<T>::none;  ///< of the bound variables that it needs
   };
 
   /// What a definition gives for the bound variables. It is kept if it needs none of them, or takes long.
   Found found_by(const Line& line) {
-    if (const auto kept = constants_.find(line.at(0)); kept != constants_.end()) return kept->second;
+    if (const auto kept = constants_.find(&line); kept != constants_.end()) return kept->second;
     std::vector<Bound<T>> variables;
-    if (line.size() > 2) {
-      const auto kept = kept_.find({line.at(0), bound_.all()});
+    const bool takes_long = line.size() > 2 && line.at(1) != "in";
+    if (takes_long) {
+      const auto kept = kept_.find({&line, bound_.all()});
       if (kept != kept_.end()) {
-        bound_.use_all();
+        bound_.use(kept->second.outermost);
         return kept->second;
       }
       variables = bound_.all();
     }
-    Found found{T(0)};
-    const bool needs_variables = bound_.used_by([&] {
+    Found found;
+    const std::size_t outermost = bound_.used_by([&] {
       found = by_definition(line, [&]() -> Found {
         if (line.at(1) != "integral") return {line.size() > 2 ? searched(line) : value(line.at(1))};
         const Integral both = integral(line);
         return {T(both.value), both.error};
       });
     });
-    if (!needs_variables) constants_.emplace(line.at(0), found);
-    if (needs_variables && line.size() > 2) kept_.emplace(std::pair(line.at(0), variables), found);
+    found.outermost = outermost;
+    if (outermost == BoundVariables<T>::none) {
+      constants_.emplace(&line, found);
+    } else if (takes_long) {
+      kept_.emplace(std::pair(&line, variables), found);
+    }
     return found;
   }
 
-  /// The place where a formula is largest, as the value of another; of values equal to rounding, the first.
-  T where_largest(std::string_view places, std::string_view formula, std::string_view place) {
-    std::optional<T> most;
-    T found = 0;
-    at(places, [&] {
-      const T now = value(formula);
-      if (most && now <= *most + T(equal_extrema) * abs(*most)) return;
-      most = now;
-      found = value(place);
-    });
-    return found;
-  }
+  T largest_at(std::string_view places, std::string_view formula);
+  T where_largest(std::string_view places, std::string_view formula, std::string_view place);
 
   /// By the first rule, with the doubt of both.
   Integral integral(const Line& line) {
@@ -268,8 +260,12 @@ class ClaimNumbers {
   /// The value of a formula with every operation rounded to a format.
   template <class Format>
   double in(std::string_view text) {
-    return widened(evaluate<Format>(formula(text), [&](const std::string& name) {
-      return rounded_to<Format>(static_cast<double>(number(name)));
+    Read& of = read(text);
+    std::vector<Format> values;
+    for (std::size_t i = 0; i < of.names.size(); ++i)
+      values.push_back(rounded_to<Format>(static_cast<double>(number(of.names[i], of.origins[i]))));
+    return widened(evaluate<Format>(of.formula, [&](const std::string& name) {
+      return values[static_cast<std::size_t>(std::ranges::find(of.names, name) - of.names.begin())];
     }));
   }
 
@@ -282,58 +278,15 @@ class ClaimNumbers {
     });
   }
 
-  T searched(const Line& line) {
-    const std::string_view kind = line.at(1);
-    if (kind == "most") return where_largest(line.at(2), line.at(3), line.at(3));
-    if (kind == "place") return where_largest(line.at(2), line.at(3), line.at(4));
-    if (kind == "sum" || kind == "count") {
-      T sum = 0;
-      const std::string text = kind == "sum" ? std::string(line.at(3)) : choice(line.at(3));
-      Read& of_place = read(text);
-      at(line.at(2), [&] { sum += value(of_place, text); });
-      return sum;
-    }
-    if (kind == "root") {
-      const auto holds_at = function(line.at(2), choice(line.at(5)));
-      return T(last_by_halving(rounded(line.at(3)), rounded(line.at(4)), 60,
-                               [&](double x) { return holds_at(x) != 0; }));
-    }
-    if (kind == "doubt") return T(found_by(*line_of(line.at(2))).doubt);
-    if (kind == "largest") return T(largest_magnitude(curve(line.at(2)), Substitution({}, {})).magnitude);
-    if (kind == "largest-at")
-      return T(largest_magnitude(curve(line.at(2)), Substitution({}, {})).at.cos_theta);
-    if (kind == "sampled") return T(largest_sampled(function(line.at(2), std::string(line.at(3)))));
-    if (kind == "optimum")
-      return T(
-          find_family(line.at(2))->fit({}, {}).parameters[static_cast<std::size_t>(number_of(line.at(3)))]);
-    if (kind == "units")
-      return T(static_cast<double>(units_off(given_text(claim_, line.at(2)), rounded(line.at(3)))));
-    if (kind == "unit") return T(last_unit(given_text(claim_, line.at(2))));
-    if (kind == "in")
-      return T(in_format_of(line.at(2), [&]<class Format>() { return in<Format>(line.at(3)); }));
-    if (kind == "last")
-      return T(in_format_of(line.at(2), [&]<class Format>() { return last_in<Format>(line); }));
-    if (kind == "least")
-      return T(in_format_of(line.at(2),
-                            []<class Format>() { return widened(std::numeric_limits<Format>::min()); }));
-    if (kind == "greatest")
-      return T(in_format_of(line.at(2),
-                            []<class Format>() { return widened(std::numeric_limits<Format>::max()); }));
-    if constexpr (!std::same_as<T, double>) {
-      static const RootsOfTwo<T> roots;
-      if (kind == "squares") return log2_by_squares(value(line.at(2)));
-      if (kind == "roots") return roots.exp2(value(line.at(2)));
-    }
-    throw std::logic_error(fmt::format("{} computes nothing by '{}'", claim_.id, kind));
-  }
+  T searched(const Line& line);
 
   const Claim& claim_;
   FormulaNames names_;
   TextTable<const Line*> lines_;
   TextTable<Read> formulas_;
-  std::unordered_map<std::string_view, Found> constants_;
-  std::map<std::pair<std::string_view, std::vector<Bound<T>>>, Found> kept_;
-  TextTable<T> given_;     ///< numbers of the record, and those of verdicts
+  std::unordered_map<const Line*, Found> constants_;
+  std::map<std::pair<const Line*, std::vector<Bound<T>>>, Found> kept_;
+  TextTable<T> given_;     ///< numbers of the record, of code, and those of verdicts
   std::size_t depth_ = 0;  ///< of the definitions that are being computed
   BoundVariables<T> bound_;
 };

@@ -1,10 +1,21 @@
 #include "fit/ledger/computation.hpp"
 
-#include "fit/ledger/claim_numbers.hpp"
+#include "fit/ledger/claim_searches.hpp"
 #include "fit/ledger/where.hpp"
 
 namespace shadefit {
 namespace {
+
+/// A number as the fraction with the smallest denominator up to 4096 that equals it to 1e-12; else as a
+/// decimal.
+std::string fraction(double value) {
+  for (int denominator = 1; denominator <= 4096; ++denominator) {
+    const double numerator = std::round(value * denominator);
+    if (std::abs(numerator / denominator - value) <= 1e-12)
+      return fmt::format("{:.6g}{}", numerator, denominator == 1 ? "" : fmt::format("/{}", denominator));
+  }
+  return decimal(value, 6);
+}
 
 /// T is the scalar of all numbers: double, or Decimal50.
 template <class T>
@@ -12,7 +23,14 @@ class Computation {
  public:
   using Line = Instructions::Line;
 
-  explicit Computation(const Claim& claim) : claim_(claim), numbers_(claim) {}
+  explicit Computation(const Claim& claim, const std::vector<Told>& found = {})
+      : claim_(claim), numbers_(claim) {
+    for (const auto& [name, value] : found) {
+      const auto* number = std::get_if<double>(&value);
+      if (number != nullptr) numbers_.give(name, *number);
+      words_[std::string(name)] = number != nullptr ? to_text(*number) : std::get<std::string>(value);
+    }
+  }
 
   Finding finding() {
     std::vector<std::optional<Verdict>> verdicts;
@@ -22,20 +40,39 @@ class Computation {
           verdicts.back() ? name(*verdicts.back()) : "undecided";
     }
     const auto judged = worst(verdicts);
-    words_["identity"] = judged == Verdict::confirmed ? "identity" : "no identity";
     std::vector<std::string> effects;
     for (const Line& line : claim_.instructions.effects) effects.push_back(effect(line));
-    return {judged, text(claim_.computed), text(claim_.evidence), sentences(effects)};
+    return told(judged, sentences(effects));
+  }
+
+  Finding told(std::optional<Verdict> verdict, const std::string& effect) {
+    words_["identity"] = verdict == Verdict::confirmed ? "identity" : "no identity";
+    return {verdict, text(claim_.computed), text(claim_.evidence), effect};
   }
 
  private:
   double rounded(std::string_view formula) { return numbers_.rounded(formula); }
   std::string as_text(const T& number) { return to_text(static_cast<double>(number)); }
 
+  /// A text with its holes filled: fit/ledger/told.hpp.
   std::string text(std::string_view with_holes) {
-    return filled(with_holes, claim_,
-                  {[&](const std::string& name) { return words(name); },
-                   [&](std::string_view formula) { return rounded(formula); }});
+    std::string out;
+    while (true) {
+      const auto open = with_holes.find('{'), close = with_holes.find('}');
+      out += with_holes.substr(0, open);
+      if (open == std::string_view::npos) return out;
+      out += filled(with_holes.substr(open + 1, close - open - 1));
+      with_holes.remove_prefix(close + 1);
+    }
+  }
+
+  std::string filled(std::string_view hole) {
+    if (const auto at = hole.find('#'); at != std::string_view::npos)
+      return counted(std::ssize(parse_sweep(given_text(claim_, hole.substr(0, at)))), hole.substr(at + 1));
+    if (const auto at = hole.rfind(":."); at != std::string_view::npos)
+      return fmt::format(fmt::runtime(fmt::format("{{{}}}", hole.substr(at))), rounded(hole.substr(0, at)));
+    const auto found = words(std::string(hole));
+    return found ? *found : std::string(given_text(claim_, hole));
   }
 
   std::optional<std::string> words(const std::string& name) {
@@ -56,6 +93,7 @@ class Computation {
     if (kind == "judged") return std::string(name(verdict(line.at(2)).value()));
     if (kind == "runs") return runs(line.at(2), line.at(3));
     if (kind == "ranges") return ranges(line.at(2), line.at(3));
+    if (kind == "fraction") return fraction(rounded(line.at(2)));
     if (kind != "list") return as_text(numbers_.number(std::string(line.at(0))));
     std::vector<std::string> items;
     numbers_.at(line.at(2), [&] { items.push_back(text(line.at(3))); });
@@ -131,10 +169,15 @@ class Computation {
 
   const Claim& claim_;
   ClaimNumbers<T> numbers_;
-  std::map<std::string, std::string, std::less<>> words_;  ///< of the verdicts
+  std::map<std::string, std::string, std::less<>> words_;  ///< of the verdicts and of code
 };
 
 }  // namespace
+
+Finding told_of(const Claim& claim, std::optional<Verdict> verdict, const std::string& effect,
+                const std::vector<Told>& found) {
+  return Computation<double>(claim, found).told(verdict, effect);
+}
 
 Finding computed_by_its_record(const Claim& claim) {
   if (claim.instructions.in_50_digits) return Computation<Decimal50>(claim).finding();

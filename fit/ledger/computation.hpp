@@ -37,9 +37,11 @@ namespace shadefit {
 ///   name     list PLACES TEXT SEPARATOR  without SEPARATOR: "a, b and c"; texts that are empty are left out
 ///   name     ranges x FORMULA            "from c = 0.5 to 1": where it is positive, x in [0, 1]
 ///   name     runs PLACES CONDITION       "0 to 1 and 250 to 255": the places where it holds
+///   name     fraction FORMULA            "7/8" if one with a denominator up to 4096 is within 1e-12 of it
 /// PLACES are "x in INPUT", "i in FROM .. TO" (whole steps), "i in printed" (then `printed_i` is that number),
-/// "t in conventions" (then `t_gamma`, 0 for sRGB, and `t_codes` are those of a transfer function), or several of
-/// these, by ", ". `{x_name}` is the item of a list as it stands. x is the number at its end. An item
+/// "t in conventions" (then `t_gamma`, 0 for sRGB, and `t_codes` are those of a transfer function), "v in words of
+/// INPUT" (rows of numbers and of names, which stand for their numbers; then `v_place` counts them from 0), or
+/// several of these, by ", ". `{x_name}` is the item of a list as it stands. x is the number at its end. An item
 /// without a number has its place in the list for x.
 ///
 /// A verdict is "printed_0 = FORMULA", which judges the digits of a printed number or of an input, or a

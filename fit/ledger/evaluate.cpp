@@ -117,10 +117,8 @@ Finding evaluate_published(const Claim& claim, Fits& fits) {
 
 /// The function that computes the claim, or null.
 Evaluate evaluator_of(const Claim& claim) {
-  static constexpr std::array topics{
-      lobe_evaluators,    half_banding_evaluators, cost_evaluators,          kernels_evaluators,
-      fresnel_evaluators, phong_blinn_evaluators,  normalisation_evaluators, harmonics_evaluators,
-      dither_evaluators,  microfacet_evaluators};
+  static constexpr std::array topics{lobe_evaluators,    half_banding_evaluators,  cost_evaluators,
+                                     kernels_evaluators, normalisation_evaluators, microfacet_evaluators};
   for (const auto& evaluators : topics) {
     for (const Evaluator& evaluator : evaluators()) {
       if (evaluator.id == claim.id) return evaluator.evaluate;

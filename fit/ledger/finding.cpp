@@ -4,15 +4,10 @@
 
 #include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
-#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/support/format.hpp"
 
 namespace shadefit {
-
-std::string within(double gap, std::string_view tolerance) {
-  return gap <= number_of(tolerance) ? fmt::format("within {}", tolerance) : fmt::format("to {:.2g}", gap);
-}
 
 std::string effect_of_power(double from, double to, std::string_view lead) {
   const auto lobe = [](double exponent) {
@@ -79,13 +74,6 @@ std::string effect_of_factor(double printed, double exact, std::string_view lead
       effect_on_greys(ratio), "a linear grey",
       fmt::format("{}{}makes a factor too {} by {:.2g} of its value{}, which", lead, lead.empty() ? "" : " ",
                   ratio < 1 ? "small" : "large", std::abs(ratio - 1), itself));
-}
-
-std::string effect_of_value(double before, double after, const Coordinates& at, std::string_view what,
-                            std::string_view lead) {
-  Effect effect;
-  effect.show(before, after, at);
-  return sentence(effect, what, lead);
 }
 
 }  // namespace shadefit

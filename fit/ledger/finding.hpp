@@ -66,12 +66,11 @@ std::vector<std::string> items_of(std::string_view text, char separator = ',');
 /// The same as numbers. Throws std::invalid_argument if an item is not a number.
 std::vector<double> numbers_of(std::string_view text, char separator = ',');
 
+/// The effect of replacing a lobe c^from by c^to, after a lead; both powers are above 0.
+std::string effect_of_power(double from, double to, std::string_view lead = {});
+
 /// The effect of a wrong factor on the 255 linear greys, in the words of `sentence`. "none" if printed and
 /// exact are equal. The lead names the constant or the place: "at k = 2 it".
 std::string effect_of_factor(double printed, double exact, std::string_view lead = {});
-
-/// The effect of one value instead of another, in the words of `sentence`.
-std::string effect_of_value(double before, double after, const Coordinates& at, std::string_view what,
-                            std::string_view lead);
 
 }  // namespace shadefit

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,13 +22,6 @@ struct Told {
   Told(std::string_view of, std::string_view words) : name(of), value(std::string(words)) {}
 };
 
-/// What stands in the holes of a text.
-struct Holes {
-  /// What was found by that name, as text; empty: the record gives it.
-  std::function<std::optional<std::string>(const std::string& name)> words;
-  std::function<double(std::string_view formula)> value;
-};
-
 /// An input or a printed number of the record as it stands: by its name, with `_` for blanks, or by its
 /// place: `input_0`, `printed_0`. Throws std::logic_error if there is none.
 std::string_view given_text(const Claim& claim, std::string_view name);
@@ -37,17 +29,14 @@ std::string_view given_text(const Claim& claim, std::string_view name);
 /// The same as a number. `powers_first` and `powers_last` are the ends of the sweep `powers`.
 double given_number(const Claim& claim, std::string_view name);
 
-/// A text with its holes filled. `{name}` is that word, input or printed number as it stands; `{formula:.6g}`
-/// the value of a formula in that format; `{powers#power}` counts the numbers of an input, "4 powers".
-std::string filled(std::string_view text, const Claim& claim, const Holes& holes);
-
 Finding told_of(const Claim& claim, std::optional<Verdict> verdict, const std::string& effect,
-                std::vector<Told> found);
+                const std::vector<Told>& found);
 
-/// The finding of a claim, with the texts `computed` and `evidence` of its record. Their formulas are of the
-/// numbers found, the inputs and the printed numbers. `{identity}` is "identity" if the verdict is
-/// `confirmed`, else "no identity". Throws std::exception for a name that is not known and for a formula that
-/// cannot be read.
+/// The finding of a claim, with the texts `computed` and `evidence` of its record and their holes filled:
+/// `{name}` is that word, input or printed number as it stands; `{formula:.6g}` the value of a formula of the
+/// numbers found, the inputs and the printed numbers, in that format; `{powers#power}` counts the numbers of
+/// an input, "4 powers". `{identity}` is "identity" if the verdict is `confirmed`, else "no identity". Throws
+/// std::exception for a name that is not known and for a formula that cannot be read or has no finite value.
 template <class... Found>
 Finding told(const Claim& claim, std::optional<Verdict> verdict, const std::string& effect,
              const Found&... found) {

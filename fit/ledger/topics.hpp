@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/told.hpp"
 #include "fit/ledger/where.hpp"
 #include "fit/support/decimal.hpp"
@@ -18,11 +17,7 @@ std::vector<Evaluator> lobe_evaluators();
 std::vector<Evaluator> half_banding_evaluators();
 std::vector<Evaluator> cost_evaluators();
 std::vector<Evaluator> kernels_evaluators();
-std::vector<Evaluator> fresnel_evaluators();
-std::vector<Evaluator> phong_blinn_evaluators();
 std::vector<Evaluator> normalisation_evaluators();
-std::vector<Evaluator> harmonics_evaluators();
-std::vector<Evaluator> dither_evaluators();
 std::vector<Evaluator> microfacet_evaluators();
 
 }  // namespace shadefit

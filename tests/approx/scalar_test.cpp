@@ -38,7 +38,6 @@ void every_formula(const Visit& visit) {
   testing::reflectance_formulas(visit);
   testing::shading_formulas(visit);
   testing::microfacet_formulas(visit);
-  testing::harmonics_formulas(visit);
   testing::material_formulas(visit);
   testing::full_range_formulas(visit);
   testing::vocabulary_formulas(visit);

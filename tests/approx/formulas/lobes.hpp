@@ -1,7 +1,6 @@
 #pragma once
 
 #include "approx/gloss.hpp"
-#include "approx/harmonics.hpp"
 #include "approx/kernels.hpp"
 #include "approx/lobe.hpp"
 #include "approx/lobe_laws.hpp"
@@ -65,13 +64,10 @@ void kernels_formulas(const Visit& visit) {
 /// Of Phong's lobe and Blinn's.
 template <class Visit>
 void phong_blinn_formulas(const Visit& visit) {
-  const Rows cosines{{"0.25"}, {"0.5"}, {"0.9375"}};
   visit(Formula{OF(blinn_lobe), Rows{{"0.125", "5", "4"}, {"0.5", "2", "4.5"}}, 16});
   visit(Formula{OF(blinn_lobe_of_cosine), Rows{{"0.875", "5", "4"}, {"0.5", "2", "4.5"}}, 16});
   visit(Formula{OF(log_half_cosine), Rows{{"0.5", "-0.03125"}}, 8});
   visit(Formula{OF(phong_blinn_log_ratio), Rows{{"-0.5", "-0.03125", "5"}}, 16});
-  visit(Formula{OF(sine_of_half_excess), cosines, 2});
-  visit(Formula{OF(angle_ratio_across), cosines, 2});
 }
 
 /// Of gloss.
@@ -82,17 +78,6 @@ void gloss_formulas(const Visit& visit) {
   visit(Formula{OF(base_two_first), Rows{{"1"}}, 4});
   visit(Formula{OF(gaussian_lobe_base_two), Rows{{"0.75", "7"}}, 16});
   visit(Formula{OF(game_normalisation), Rows{{"5"}}, 4});
-}
-
-/// Of harmonics.
-template <class Visit>
-void harmonics_formulas(const Visit& visit) {
-  visit(Formula{"legendre_polynomial", [](auto x) { return legendre_polynomial(4, x); },
-                Rows{{"0.25"}, {"1"}}, 32});
-  visit(Formula{"clamped_cosine_moment",
-                [](auto one) { return one * clamped_cosine_moment<decltype(one)>(6); }, Rows{{"1"}}, 8});
-  visit(Formula{"peak_of_band", [](auto moment) { return peak_of_band(2, moment); }, Rows{{"0.125"}}, 4});
-  visit(Formula{"energy_of_band", [](auto moment) { return energy_of_band(2, moment); }, Rows{{"0.125"}}, 4});
 }
 
 /// Of the functions that no formula of approx/ calls: users' formulas call them.

@@ -2,7 +2,6 @@
 
 #include <array>
 #include "approx/arithmetic.hpp"
-#include "approx/dither.hpp"
 #include "approx/encoding.hpp"
 #include "approx/fresnel.hpp"
 #include "approx/full_range.hpp"
@@ -174,8 +173,6 @@ void material_formulas(const Visit& visit) {
   visit(Formula{OF(srgb_decode), Rows{{"0.03125"}, {"0.5"}, {"1"}}, 16});
   visit(Formula{OF(metallic_f0), Rows{{"0.03125", "0.75", "0.25"}}, 4});
   visit(Formula{OF(henyey_greenstein), scatterings, 32});
-  visit(Formula{OF(march_rms), Rows{{"10"}, {"100"}}, 4});
-  visit(Formula{OF(march_rms_at_offset), Rows{{"10", "0.25"}, {"100", "0"}}, 8});
 }
 
 /// Of the forms that hold for every argument.

@@ -8,27 +8,6 @@
 namespace shadefit {
 namespace {
 
-TEST(FresnelClaims, SeventeenIsTheQuotientOfThePrintedValuesCutOff) {
-  const Finding finding = evaluate(*find_claim("fresnel-quadratic-at-1"));
-  EXPECT_EQ(finding.verdict, Verdict::rounding);
-  // exp2(-8.35 + 12.53789) = exp(4.18789 ln 2), in 50 digits
-  const Decimal50 ratio = exp(Decimal50("4.18789") * ln2<Decimal50>());
-  EXPECT_NE(finding.computed.find("ratio = " + decimal(static_cast<double>(ratio), 10)), std::string::npos)
-      << finding.computed;
-  EXPECT_EQ(static_cast<int>(0.003 / 0.000168), 17);
-  EXPECT_NE(finding.evidence.find("cut off after the point it is 17"), std::string::npos) << finding.evidence;
-}
-
-// c (1-c)^4 is largest where its derivative (1-c)^3 (1-5c) is 0.
-TEST(FresnelClaims, PowerFourIsFurthestAtOneFifth) {
-  const Finding finding = evaluate(*find_claim("fresnel-power-four"));
-  EXPECT_NE(finding.evidence.find("at most " + decimal(256.0 / 3125, 4) + " (c = 0.2)"), std::string::npos)
-      << finding.evidence;
-  // integral of c^2 (1-c)^8 = B(3, 9) = 2! 8!/11! = 1/495
-  EXPECT_NE(finding.evidence.find("rms " + decimal(std::sqrt(1.0 / 495), 4) + " (cosine)"), std::string::npos)
-      << finding.evidence;
-}
-
 TEST(Fresnel, ReflectanceOfGlossIsAMeanOfItsEnds) {
   for (const char* f0 : {"0", "0.04", "0.5", "1"}) {
     for (const char* gloss : {"0", "0.04", "0.7", "1"}) {

@@ -15,14 +15,6 @@ namespace {
 
 using testing::is_close;
 
-TEST(KernelsClaims, ShowTheLimitOfTwoThirds) {
-  const Finding finding = evaluate(with_input(*find_claim("other-kernels"), "exponents", "3,2048"));
-  EXPECT_NE(finding.evidence.find("is 0.6667 times that of the spherical Gaussian at k = 2048 and 0.6667 "
-                                  "in the limit"),
-            std::string::npos)
-      << finding.evidence;
-}
-
 // The solver of the families, with its own nodes and Newton's method, against this one.
 TEST(LobeRule, FitsTheSphericalGaussianAsItsFamilyDoes) {
   for (const double k : {1.0, 3.0, 16.0, 2048.0}) {

@@ -1,6 +1,5 @@
 #include "fit/ledger/computation.hpp"
 
-#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/read_claims.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
@@ -15,7 +14,8 @@ Finding computed(const std::string& definitions, std::string_view text,
   read_topic(
       "title = \"Mine\"\n[[claim]]\nid = \"mine\"\nstatement = \"\"\nderivation = \"why\"\nsource = \"lagarde\"\n"
       "printed = [[\"least\", \"2\"], [\"\", \"0.50\"]]\n"
-      "inputs = [[\"powers\", \"1:3:1\"], [\"maps\", \"albedo 3, gloss\"], [\"form\", \"x^2 + 1\"]]\n"
+      "inputs = [[\"powers\", \"1:3:1\"], [\"maps\", \"albedo 3, gloss\"], [\"form\", \"x^2 + 1\"],\n"
+      "[\"rows\", \"0.5 least / 4\"]]\n"
       "define = [" +
           definitions + "]\nverdict = [\"" + std::string(verdict) + "\"]\neffect = [" + effect +
           "]\nevidence = '" + std::string(text) + "'\n",
@@ -41,6 +41,7 @@ TEST(Computation, FormulasAndSearches) {
       "1 20");
   EXPECT_EQ(evidence("['first', 'place', 'k in powers', '1', 'k']", "{first}"), "1")
       << "of equal values the first";
+  EXPECT_EQ(evidence("['s', 'sum', 'v in words of rows', 'v (v_place + 1)']", "{s}"), "16.5");
   EXPECT_EQ(evidence("['r', 'root', 'x', '0', '4', 'x^2 < 2']", "{r:.10g}"), "1.414213562");
   EXPECT_EQ(evidence("['i', 'integral', 'x', '0', '3', 'x^2', '0', '9', 'sqrt(x)/2'], ['d', 'doubt', 'i'], "
                      "['ok', 'if', 'd < 1e-11', 'sure', 'unsure']",
@@ -75,6 +76,7 @@ TEST(Computation, Words) {
       "1 and 3");
   EXPECT_EQ(evidence("['names', 'list', 'm in maps', '{m_name} ({m})']", "{names}"),
             "albedo 3 (3) and gloss (1)");
+  EXPECT_EQ(evidence("['f', 'fraction', '7/8'], ['g', 'fraction', 'pi']", "{f} {g}"), "7/8 3.14159");
   EXPECT_EQ(evidence("['r', 'runs', 'i in 0 .. 9', 'i != 3 && i < 6']", "{r}"), "0 to 2 and 4 to 5");
   EXPECT_EQ(evidence("['r', 'ranges', 'x', '(x - 0.25) (0.5 - x)']", "{r}"), "from c = 0.25 to 0.5");
   EXPECT_EQ(evidence("['j', 'judged', 'printed_1 = 0.51'], ['t', 'text', 'it is {j}']", "{t}"),

@@ -28,22 +28,6 @@ TEST(Ledger, IdsStandOnceAndRecordsAreComplete) {
   EXPECT_FALSE(has_claim("power") || has_claim("")) << "a part of an id, and none";
 }
 
-TEST(Ledger, EveryClaimIsJudgedWithWords) {
-  Fits fits;
-  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; }, fits)) {
-    const auto& finding = judged.finding;
-    EXPECT_TRUE(finding.verdict.has_value()) << judged.claim->id << ": " << finding.evidence;
-    EXPECT_FALSE(finding.computed.empty() || finding.evidence.empty() || finding.effect.empty())
-        << judged.claim->id;
-    EXPECT_FALSE(finding.evidence.ends_with('.')) << judged.claim->id;
-    for (const std::string* text : {&finding.computed, &finding.evidence, &finding.effect}) {
-      EXPECT_EQ(text->find("nan"), std::string::npos) << judged.claim->id << ": " << *text;
-      EXPECT_TRUE(std::none_of(text->begin(), text->end(), [](char c) { return c == '\n'; }))
-          << judged.claim->id;
-    }
-  }
-}
-
 /// "none", with a reason or without, or sentences that each give 8-bit sRGB codes, the largest absolute
 /// change and where it is, the largest relative one and where that is, and ulps of a half.
 bool is_in_form(const std::string& effect) {
@@ -60,13 +44,21 @@ bool is_in_form(const std::string& effect) {
   return true;
 }
 
-TEST(Ledger, EveryEffectHasItsFourQuantitiesAndPlaces) {
+TEST(Ledger, EveryClaimIsJudgedWithWordsAndAnEffectInForm) {
   std::size_t with_numbers = 0;
   Fits fits;
   for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; }, fits)) {
-    const std::string& effect = judged.finding.effect;
-    EXPECT_TRUE(is_in_form(effect)) << judged.claim->id << ": " << effect;
-    with_numbers += effect.starts_with("none") ? 0 : 1;
+    const auto& finding = judged.finding;
+    EXPECT_TRUE(finding.verdict.has_value()) << judged.claim->id << ": " << finding.evidence;
+    EXPECT_FALSE(finding.computed.empty() || finding.evidence.empty() || finding.effect.empty())
+        << judged.claim->id;
+    EXPECT_FALSE(finding.evidence.ends_with('.')) << judged.claim->id;
+    for (const std::string* text : {&finding.computed, &finding.evidence, &finding.effect}) {
+      EXPECT_EQ(text->find("nan"), std::string::npos) << judged.claim->id << ": " << *text;
+      EXPECT_EQ(text->find('\n'), std::string::npos) << judged.claim->id;
+    }
+    EXPECT_TRUE(is_in_form(finding.effect)) << judged.claim->id << ": " << finding.effect;
+    with_numbers += finding.effect.starts_with("none") ? 0 : 1;
   }
   EXPECT_GT(with_numbers, 40U) << "effects, not their absence";
 }
@@ -103,6 +95,15 @@ TEST(Finding, TheWorstPartDecides) {
   EXPECT_EQ(worst(std::span(weak)), std::nullopt);
   const Verdict sure[] = {confirmed, refuted, other_objective};
   EXPECT_EQ(worst(std::span(sure)), refuted);
+}
+
+// max of c - c^2 is 1/4, at c = 1/2.
+TEST(Finding, EffectOfAPower) {
+  EXPECT_EQ(effect_of_power(8, 8), "none");
+  const std::string effect = effect_of_power(1, 2);
+  EXPECT_TRUE(
+      effect.starts_with("moves the curve by up to 67 codes of 8-bit sRGB (absolute: 0.25 at c = 0.5;"))
+      << effect;
 }
 
 TEST(Finding, EffectOfAFactor) {
