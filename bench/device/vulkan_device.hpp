@@ -57,8 +57,6 @@ class VulkanDevice {
   /// Throws UserError if `vulkan_devices` has no entry at `choice.place`.
   explicit VulkanDevice(const DeviceChoice& choice);
   ~VulkanDevice();
-  VulkanDevice(VulkanDevice&&) noexcept;
-  VulkanDevice& operator=(VulkanDevice&&) noexcept;
 
   const DeviceInfo& info() const;
 
