@@ -31,7 +31,7 @@ bench::Trade trade_on_device(const BenchOptions& options, const std::function<be
 
 Sweeper sweeper_on_device(const BenchOptions& options) {
   const auto device = std::make_shared<device::VulkanDevice>(device::DeviceChoice{.place = *options.device});
-  return {name_with_driver(device->info()), [device](const bench::SweptForm& form) {
+  return {device->info().name + ", " + device->info().driver, [device](const bench::SweptForm& form) {
             bench::FloatSubject subject = bench::subject_of(form);
             device::sweep_on_device(subject, *device,
                                     bench::function_of(*form.target, *form.form, *form.constants), usual_gpu);
