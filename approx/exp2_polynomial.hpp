@@ -125,10 +125,10 @@ auto exp2_coefficients() {
 }
 
 /// p(r) = 1 + c1 r + .. + cn r^n by Horner's rule; |r| <= 1/2.
-template <class T, std::size_t N>
-T exp2_near_zero(const T& r, const std::array<T, N>& c) {
-  T sum = c[N - 1];
-  for (std::size_t i = N - 1; i > 0; --i) sum = sum * r + c[i - 1];
+template <class T, class Coefficients>
+T exp2_near_zero(const T& r, const Coefficients& c) {
+  T sum = c.back();
+  for (std::size_t i = c.size() - 1; i > 0; --i) sum = sum * r + c[i - 1];
   return sum * r + integer<T>(1);
 }
 
@@ -136,14 +136,8 @@ T exp2_near_zero(const T& r, const std::array<T, N>& c) {
 /// least normal number nor above the largest; there see `ExponentBits`. Exact at whole numbers.
 template <class P, class T>
 T exp2_polynomial(const T& x) {
-  const auto of_parts = []<class R, class Whole>(const SplitExponent<R, Whole>& parts) {
-    return times_exp2(exp2_near_zero(parts.rest, exp2_coefficients<P, R>()), parts.whole);
-  };
-  if constexpr (requires { ExponentBits<T>::joined(x, of_parts); }) {
-    return ExponentBits<T>::joined(x, of_parts);
-  } else {
-    return of_parts(split_exponent(x));
-  }
+  const auto parts = split_exponent(x);
+  return times_exp2(exp2_near_zero(parts.rest, exp2_coefficients<P, T>()), parts.whole);
 }
 
 /// A scalar that is another one but for its exp2 and exp: these are by a polynomial. Any formula runs on it.

@@ -14,9 +14,7 @@ namespace shadefit {
 
 /// The customisation point: what a scalar must offer in addition to `Scalar`.
 /// - `split(x)`: x, clamped to the exponents of the format, as a whole number and a rest, |rest| <= 1/2;
-/// - `times_exp2(p, whole)`: p 2^whole, with `whole` in the representation that `split` returns;
-/// - `joined(x, f)`, for a scalar whose values need more than one whole number: f of each part, joined to one
-/// value.
+/// - `times_exp2(p, whole)`: p 2^whole, with `whole` in the representation that `split` returns.
 template <class T>
 struct ExponentBits;
 

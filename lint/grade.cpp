@@ -9,7 +9,7 @@
 namespace shadefit::lint {
 namespace {
 
-bool is_visible(const GradedSite& site, const EffectLimits& limits) {
+bool is_visible(const LintedSite& site, const EffectLimits& limits) {
   const double change = site.effect.absolute.magnitude;
   if (std::isnan(change)) return true;
   if (limits.of_all) return change > *limits.of_all;
@@ -56,9 +56,13 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::spa
   return values;
 }
 
-GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
-                    const EffectLimits& limits, KnownEffects& effects) {
-  GradedSite graded;
+LintedSite graded_site(const KnownSet& set, const Site& site, const ExpressionMatch& found,
+                       const EffectLimits& limits, KnownEffects& effects) {
+  LintedSite graded;
+  graded.id = set.id;
+  graded.form = set.form;
+  graded.source = set.source;
+  graded.is_encoded = set.is_encoded;
   if (found.is_published) return graded;
   const bool has_other_units = is_in_other_units(site);
   for (const SiteNumber& number : site.numbers) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,10 +36,48 @@ struct EffectLimits {
   std::optional<double> of_all = {};  ///< for every curve, instead of both
 };
 
-struct GradedSite {
+/// A place in a text. Lines and columns count from 1, columns in code points.
+struct TextPlace {
+  long line = 0, column = 0;
+  auto operator<=>(const TextPlace&) const = default;
+};
+
+/// A number as it stands in a text.
+struct NumberCopy {
+  std::size_t offset = 0;  ///< in bytes
+  std::string text;
+};
+
+/// A number of a site and the published one.
+struct LintedNumber {
+  std::string constant, published;  ///< name and digits
+  std::string text;                 ///< as found
   Grade grade = Grade::right;
-  Effect effect = {};     ///< of the numbers found instead of the published ones
-  bool is_shown = false;  ///< whether the curve is a colour
+  std::size_t offset = 0;  ///< in the text, in bytes
+  /// Whether the published number belongs there: no other number near it may be the constant, no other source
+  /// may be meant, and the numbers are in the published units.
+  bool is_certain = false;
+  std::vector<NumberCopy> copies = {};  ///< the other components of a vector of this number
+};
+
+/// Constants of a set in a text, or a number that a mark pins to a constant (lint/pins.hpp).
+struct LintedSite {
+  std::string file;
+  TextPlace begin, end;  ///< of its first number, and after its last
+  std::string id, form;  ///< of the set
+  std::string source;
+  std::vector<LintedNumber> numbers;  ///< by their places
+  Grade grade = Grade::right;
+  Effect effect = {};
+  bool is_shown = false;
+  bool is_encoded = false;                  ///< see `KnownSet`
+  std::string slip = {};                    ///< of the expression: see ExpressionMatch
+  std::string replaced = {};                ///< why the source replaced a value that is found here
+  bool is_in_comment = false;               ///< whether all numbers are
+  bool is_in_table = false;                 ///< the set is a small part of a table of numbers
+  std::optional<std::string> ignored = {};  ///< the reason of a mark "shadefit: ignore REASON"
+  bool is_pinned = false;
+  std::string fault = {};  ///< why a mark pins nothing; then there are no numbers
 };
 
 /// The grade of a single number, by its digits alone.
@@ -52,8 +92,8 @@ Grade grade_of_other(const KnownConstant& constant, double found);
 /// the decimal point of a number says nothing.
 std::vector<double> constants_at(const KnownSet& set, const Site& site, std::span<const Literal> literals);
 
-/// The grade of a form with the constants found at a site.
-GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
-                    const EffectLimits& limits, KnownEffects& effects);
+/// A form with the constants found at a site, graded, still without its numbers.
+LintedSite graded_site(const KnownSet& set, const Site& site, const ExpressionMatch& found,
+                       const EffectLimits& limits, KnownEffects& effects);
 
 }  // namespace shadefit::lint

@@ -12,32 +12,31 @@
 namespace shadefit::lint {
 namespace {
 
-/// Whether the numbers fit another set: one with a slip, the others with fewer digits at most. Numbers with
-/// more digits are not from there.
-bool fits(std::string_view text, const KnownSet& set, const JudgedSite& site, const JudgedNumber& number) {
-  return std::ranges::all_of(site.numbers, [&](const JudgedNumber& one) {
-    const auto match = match_digits(digits_of(text.substr(one.offset, one.length)),
-                                    digits_of(set.constants[one.constant].printed));
-    const bool is_changed = one.offset == number.offset;
-    return match && *match != DigitMatch::longer && *match != DigitMatch::shifted &&
-           (is_changed || *match <= DigitMatch::rounded);
-  });
+/// The constant of another source of the same form that a number of a site may be.
+const KnownConstant& constant_of(const KnownSet& set, const KnownSet& other, const LintedNumber& number) {
+  const auto constant = std::ranges::find(set.constants, number.constant, &KnownConstant::name);
+  return other.constants[static_cast<std::size_t>(constant - set.constants.begin())];
 }
 
 /// Whether a number that is not right may as well be that of another source of the same form: 1.875996 for
-/// 1.875991 or for 1.875992. The other numbers of the site have to fit that source too.
-bool has_rival_source(std::string_view text, const std::vector<KnownSet>& sets, const JudgedSite& site,
-                      const JudgedNumber& number) {
-  const KnownSet& set = sets[site.set];
+/// 1.875991 or for 1.875992. The other numbers of the site have to fit that source too, with fewer digits at
+/// most: numbers with more digits are not from there.
+bool has_rival_source(const std::vector<KnownSet>& sets, std::size_t place, const LintedSite& site,
+                      const LintedNumber& number) {
+  const KnownSet& set = sets[place];
   const auto is_source = [&](const KnownSet& other) { return other.id == set.id; };
   const auto is_rival = [&](const KnownSet& other) {
-    return other.form == set.form && other.constants.size() == set.constants.size() &&
-           digits_of(other.constants[number.constant].printed) !=
-               digits_of(set.constants[number.constant].printed) &&
-           fits(text, other, site, number);
+    if (other.form != set.form || other.constants.size() != set.constants.size() ||
+        digits_of(constant_of(set, other, number).printed) == digits_of(number.published))
+      return false;
+    return std::ranges::all_of(site.numbers, [&](const LintedNumber& one) {
+      const auto match = match_digits(digits_of(one.text), digits_of(constant_of(set, other, one).printed));
+      return match && *match != DigitMatch::longer && *match != DigitMatch::shifted &&
+             (&one == &number || *match <= DigitMatch::rounded);
+    });
   };
   // The sources of a study stand beside each other.
-  std::size_t first = site.set, end = site.set + 1;
+  std::size_t first = place, end = place + 1;
   while (first > 0 && is_source(sets[first - 1])) --first;
   while (end < sets.size() && is_source(sets[end])) ++end;
   return std::ranges::any_of(std::span(sets).subspan(first, end - first), is_rival);
@@ -65,12 +64,10 @@ Site without_arguments(Site site, const KnownSet& set, const ScannedText& text) 
 
 /// Whether a site before this one has the same number for the same study: the branches of one choice may be
 /// sites of two of its sets.
-bool is_said(const std::vector<JudgedSite>& judged, const std::vector<KnownSet>& sets,
-             const JudgedSite& site) {
-  return std::ranges::any_of(judged, [&](const JudgedSite& other) {
-    return sets[other.set].id == sets[site.set].id &&
-           std::ranges::any_of(other.numbers, [&](const JudgedNumber& number) {
-             return std::ranges::find(site.numbers, number.offset, &JudgedNumber::offset) !=
+bool is_said(const std::vector<LintedSite>& judged, const LintedSite& site) {
+  return std::ranges::any_of(judged, [&](const LintedSite& other) {
+    return other.id == site.id && std::ranges::any_of(other.numbers, [&](const LintedNumber& number) {
+             return std::ranges::find(site.numbers, number.offset, &LintedNumber::offset) !=
                     site.numbers.end();
            });
   });
@@ -78,7 +75,7 @@ bool is_said(const std::vector<JudgedSite>& judged, const std::vector<KnownSet>&
 
 }  // namespace
 
-std::vector<JudgedSite> judge_text(std::string_view whole_text, CommentStyle style,
+std::vector<LintedSite> judge_text(std::string_view whole_text, CommentStyle style,
                                    const KnownConstants& known, const EffectLimits& limits,
                                    const Checkpoint& checkpoint) {
   const std::vector<Literal> literals = literals_of(whole_text, style);
@@ -94,18 +91,18 @@ std::vector<JudgedSite> judge_text(std::string_view whole_text, CommentStyle sty
     checkpoint();
     return reading_of(program_of(site), known.sets[site.set], site, memory);
   };
-  std::vector<JudgedSite> judged;
+  std::vector<LintedSite> judged;
   for (const Site& whole : sites_of(text, known.sets, known.index, reading)) {
     checkpoint();
     const KnownSet& set = known.sets[whole.set];
     const Site site = without_arguments(whole, set, text);
     const ScannedText program = program_of(site);
     auto one = judge_site(text, program, set, site, limits, memory);
-    if (!one || is_said(judged, known.sets, *one)) continue;
+    if (!one || is_said(judged, *one)) continue;
     one->is_in_table = set.constants.size() < least_table &&
                        is_in_table(text, site.numbers.front().literal, site.numbers.back().literal);
-    for (JudgedNumber& number : one->numbers)
-      if (number.grade != Grade::right && has_rival_source(text.text, known.sets, *one, number))
+    for (LintedNumber& number : one->numbers)
+      if (number.grade != Grade::right && has_rival_source(known.sets, whole.set, *one, number))
         number.is_certain = false;
     judged.push_back(std::move(*one));
   }

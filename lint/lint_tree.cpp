@@ -44,69 +44,13 @@ std::optional<std::string> ignored_at(std::string_view text, std::size_t first, 
   return begin == 0 ? std::nullopt : ignore_reason(line_at(text, line_begin(text, begin - 1)));
 }
 
-/// A site between two numbers of a file.
-LintedSite site_between(const std::string& file, std::string_view text, const NumberPlace& first,
-                        const NumberPlace& last, PlaceFinder& places) {
-  LintedSite site;
+/// Says where a site is in a file: at these bytes of its text.
+void set_place(LintedSite& site, const std::string& file, std::string_view text, std::size_t begin,
+               std::size_t end, PlaceFinder& places) {
   site.file = file;
-  site.begin = places.at(first.offset);
-  site.end = places.at(last.offset + last.length);
-  site.ignored = ignored_at(text, first.offset, last.offset);
-  return site;
-}
-
-void add_set(LintedSite& site, const KnownSet& set, const GradedSite& graded) {
-  site.id = set.id;
-  site.form = set.form;
-  site.source = set.source;
-  site.grade = graded.grade;
-  site.effect = graded.effect;
-  site.is_shown = graded.is_shown;
-  site.is_encoded = set.is_encoded;
-}
-
-LintedSite linted(const std::string& file, std::string_view text, const KnownSet& set,
-                  const JudgedSite& judged, PlaceFinder& places) {
-  LintedSite site = site_between(file, text, judged.numbers.front(), judged.numbers.back(), places);
-  add_set(site, set, judged.graded);
-  site.slip = judged.slip;
-  site.replaced = judged.replaced;
-  site.is_in_comment = judged.is_in_comment;
-  for (const JudgedNumber& number : judged.numbers) {
-    const KnownConstant& constant = set.constants[number.constant];
-    const auto text_of = [&](const NumberPlace& place) {
-      return std::string(text.substr(place.offset, place.length));
-    };
-    site.numbers.push_back(
-        {constant.name, constant.printed, text_of(number), number.grade, number.offset, number.is_certain});
-    for (const NumberPlace& copy : number.copies)
-      site.numbers.back().copies.push_back({copy.offset, text_of(copy)});
-  }
-  return site;
-}
-
-/// A mark as a site: at its number, or at its name if it pins no number.
-LintedSite linted(const std::string& file, std::string_view text, const std::vector<KnownSet>& sets,
-                  const JudgedPin& judged, PlaceFinder& places) {
-  const Pin& pin = judged.pin;
-  const bool is_faulty = !judged.fault.empty();
-  const NumberPlace place = is_faulty ? NumberPlace{pin.offset, pin.name.size()}
-                                      : NumberPlace{pin.number_offset, pin.number.size()};
-  LintedSite site = site_between(file, text, place, place, places);
-  site.is_pinned = true;
-  if (is_faulty) {
-    site.id = pin.name;
-    site.grade = Grade::wrong;
-    site.fault = judged.fault;
-    return site;
-  }
-  const KnownSet& set = sets[judged.set];
-  const KnownConstant& constant = set.constants[judged.constant];
-  add_set(site, set, judged.graded);
-  site.replaced = judged.replaced;
-  site.numbers = {
-      {constant.name, constant.printed, std::string(pin.number), judged.digits, pin.number_offset, true}};
-  return site;
+  site.begin = places.at(begin);
+  site.end = places.at(end);
+  site.ignored = ignored_at(text, begin, end);
 }
 
 /// Removes pinned numbers from a site. True if anything is left to report.
@@ -129,14 +73,18 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
   PlaceFinder places(text);
   for (const Pin& pin : pins_of(text)) {
     if (!pin.number.empty()) pinned.insert(pin.number_offset);
-    sites.push_back(linted(file, text, known.sets, judge_pin(pin, known.sets, limits), places));
+    sites.push_back(judge_pin(pin, known.sets, limits));
+    const bool is_faulty = sites.back().numbers.empty();
+    const std::size_t begin = is_faulty ? pin.offset : pin.number_offset;
+    set_place(sites.back(), file, text, begin, begin + (is_faulty ? pin.name : pin.number).size(), places);
   }
-  for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits, checkpoint)) {
-    if (judged.is_in_table) {
+  for (LintedSite& site : judge_text(text, comments_of(language), known, limits, checkpoint)) {
+    if (site.is_in_table) {
       if (skipped != nullptr) ++skipped->in_tables;
       continue;
     }
-    LintedSite site = linted(file, text, known.sets[judged.set], judged, places);
+    const LintedNumber &first = site.numbers.front(), &last = site.numbers.back();
+    set_place(site, file, text, first.offset, last.offset + last.text.size(), places);
     if (leave_unpinned(site, pinned)) sites.push_back(std::move(site));
   }
   std::ranges::stable_sort(sites, {}, &LintedSite::begin);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,48 +10,6 @@
 
 /// Judges the published constants of source trees.
 namespace shadefit::lint {
-
-/// A place in a text. Lines and columns count from 1, columns in code points.
-struct TextPlace {
-  long line = 0, column = 0;
-  auto operator<=>(const TextPlace&) const = default;
-};
-
-/// A number as it stands in a file.
-struct NumberCopy {
-  std::size_t offset = 0;  ///< in bytes
-  std::string text;
-};
-
-/// A number of a site and the published one.
-struct LintedNumber {
-  std::string constant, published;  ///< name and digits
-  std::string text;                 ///< as found
-  Grade grade = Grade::right;
-  std::size_t offset = 0;  ///< in the file, in bytes
-  /// Whether the published number belongs there: no other number near it may be the constant, no other source
-  /// may be meant, and the numbers are in the published units.
-  bool is_certain = false;
-  std::vector<NumberCopy> copies = {};  ///< the other components of a vector of this number
-};
-
-/// A site in a file, or a number that a mark pins to a constant (lint/pins.hpp).
-struct LintedSite {
-  std::string file;
-  TextPlace begin, end;  ///< of its first number, and after its last
-  std::string id, form;  ///< of the set
-  std::string source;
-  std::vector<LintedNumber> numbers;
-  Grade grade = Grade::right;
-  Effect effect = {};
-  bool is_shown = false;
-  bool is_encoded = false;               ///< see `KnownSet`
-  std::string slip = {}, replaced = {};  ///< see JudgedSite
-  bool is_in_comment = false;
-  std::optional<std::string> ignored = {};  ///< the reason of a mark "shadefit: ignore REASON"
-  bool is_pinned = false;
-  std::string fault = {};  ///< why a mark pins nothing; then there are no numbers
-};
 
 struct LintedTree {
   std::vector<LintedSite> sites;  ///< by file, then by place

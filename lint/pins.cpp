@@ -103,14 +103,12 @@ SiteNumber matched(const Digits& found, const KnownSet& set, std::size_t constan
   return number;
 }
 
-JudgedPin judged_as(const Pin& pin, const ConstantPlace& target, const std::vector<KnownSet>& sets,
-                    const EffectLimits& limits) {
+LintedSite judged_as(const Pin& pin, const ConstantPlace& target, const std::vector<KnownSet>& sets,
+                     const EffectLimits& limits) {
   const KnownSet& set = sets[target.set];
+  const KnownConstant& constant = set.constants[target.constant];
   const Digits found = digits_of(pin.number);
   const SiteNumber number = matched(found, set, target.constant);
-  JudgedPin judged{.pin = pin, .set = target.set, .constant = target.constant};
-  judged.digits = grade_of(set, number);
-  if (number.variant) judged.replaced = set.variants[*number.variant].replaced;
   std::vector<double> constants = published_values(set);
   double& value = constants[target.constant];
   value = std::copysign(number_of(found), value);
@@ -118,8 +116,21 @@ JudgedPin judged_as(const Pin& pin, const ConstantPlace& target, const std::vect
   site.set = target.set;
   site.numbers = {number};
   KnownEffects effects;
-  judged.graded = grade_of(set, site, {.form = set.formula, .constants = constants}, limits, effects);
+  LintedSite judged = graded_site(set, site, {.form = set.formula, .constants = constants}, limits, effects);
+  judged.is_pinned = true;
+  judged.numbers = {{constant.name, constant.printed, std::string(pin.number), grade_of(set, number),
+                     pin.number_offset, true}};
+  if (number.variant) judged.replaced = set.variants[*number.variant].replaced;
   return judged;
+}
+
+LintedSite faulty(const Pin& pin, const std::string& fault) {
+  LintedSite site;
+  site.id = pin.name;
+  site.grade = Grade::wrong;
+  site.is_pinned = true;
+  site.fault = fault;
+  return site;
 }
 
 }  // namespace
@@ -151,20 +162,20 @@ std::vector<Pin> pins_of(std::string_view text) {
   return pins;
 }
 
-JudgedPin judge_pin(const Pin& pin, const std::vector<KnownSet>& sets, const EffectLimits& limits) {
+LintedSite judge_pin(const Pin& pin, const std::vector<KnownSet>& sets, const EffectLimits& limits) {
   const PinTargets targets = targets_of(pin.name, sets);
-  if (!targets.fault.empty()) return {.pin = pin, .fault = targets.fault};
+  if (!targets.fault.empty()) return faulty(pin, targets.fault);
   if (pin.number.empty())
-    return {.pin = pin, .fault = fmt::format("'{}' has no decimal number before it in its line", pin.name)};
+    return faulty(pin, fmt::format("'{}' has no decimal number before it in its line", pin.name));
   const double found = number_of(digits_of(pin.number));
-  std::optional<JudgedPin> best;
-  const auto distance = [&](const JudgedPin& one) {
-    return std::abs(std::abs(sets[one.set].constants[one.constant].value) - found);
-  };
+  std::optional<LintedSite> best;
+  double best_distance = 0;
   for (const ConstantPlace& target : targets.found) {
-    JudgedPin one = judged_as(pin, target, sets, limits);
-    if (!best || std::pair(one.graded.grade, distance(one)) < std::pair(best->graded.grade, distance(*best)))
-      best = std::move(one);
+    LintedSite one = judged_as(pin, target, sets, limits);
+    const double distance = std::abs(std::abs(sets[target.set].constants[target.constant].value) - found);
+    if (best && std::pair(one.grade, distance) >= std::pair(best->grade, best_distance)) continue;
+    best = std::move(one);
+    best_distance = distance;
   }
   return *best;
 }

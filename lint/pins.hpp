@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lint/grade.hpp"
-#include "lint/scan/known_set.hpp"
 
 /// Marks that say which published constant a number is, and how right such a number is.
 namespace shadefit::lint {
@@ -27,20 +26,10 @@ std::vector<Pin> pins_of(std::string_view text);
 /// The reason of a comment in a line that begins with "shadefit: ignore REASON".
 std::optional<std::string> ignore_reason(std::string_view line);
 
-struct JudgedPin {
-  Pin pin;
-  std::string fault = {};    ///< why it pins nothing: a sentence; empty: it pins a number
-  std::size_t set = 0;       ///< of `sets`, unless there is a fault
-  std::size_t constant = 0;  ///< of the set
-  Grade digits = Grade::right;
-  GradedSite graded = {};
-  std::string replaced = {};  ///< why the source replaced a value that is found here
-};
-
 /// A pinned number is right if it has the published digits, more digits that round to them, or those of the
 /// nearest float; signs do not count. Any other number is graded like one that was found, at worst by its
 /// effect with the other constants as published. If several sources published the constant, the number of any
-/// of them will do.
-JudgedPin judge_pin(const Pin& pin, const std::vector<KnownSet>& sets, const EffectLimits& limits);
+/// of them will do. A pin that pins nothing is a fault, of the grade `wrong`.
+LintedSite judge_pin(const Pin& pin, const std::vector<KnownSet>& sets, const EffectLimits& limits);
 
 }  // namespace shadefit::lint

@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "lint/expression/program_text.hpp"
 #include "lint/expression/source_expression.hpp"
 #include "lint/scan/lists.hpp"
 
@@ -216,28 +215,26 @@ class SiteJudge {
             TextMemory& memory)
       : text_(text), set_(set), site_(site), reader_(program, set, site, memory), memory_(memory) {}
 
-  std::optional<JudgedSite> judge(const EffectLimits& limits) const {
+  std::optional<LintedSite> judge(const EffectLimits& limits) const {
     auto read = reader_.read();
     const bool is_read = read.has_value();
     if (!read && site_.bits < telling_bits) return std::nullopt;
     const auto in_order = is_read ? std::nullopt : literal_in_order();
     if (in_order) read = replaced_by(*in_order);
-    JudgedSite judged;
-    judged.set = site_.set;
-    judged.numbers = judged_numbers();
     const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, reader_.constants()});
-    judged.graded = grade_of(set_, site_, found, limits, memory_.effects);
+    LintedSite judged = graded_site(set_, site_, found, limits, memory_.effects);
+    judged.numbers = judged_numbers();
     if (found.replaced) {
       if (auto number = replacing(found, in_order)) judged.numbers.push_back(std::move(*number));
-      std::ranges::sort(judged.numbers, {}, &JudgedNumber::offset);
+      std::ranges::sort(judged.numbers, {}, &LintedNumber::offset);
     }
     if (found.is_published)
-      for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
+      for (LintedNumber& number : judged.numbers) number.grade = Grade::right;
     judged.slip = found.slip;
     judged.is_in_comment = std::ranges::all_of(
         site_.numbers, [&](const SiteNumber& number) { return at(number.literal).is_in_comment; });
     // A comment without a formula may wrap a number or mention an older one.
-    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right) return std::nullopt;
+    if (judged.is_in_comment && !is_read && judged.grade != Grade::right) return std::nullopt;
     for (const SiteNumber& number : site_.numbers)
       if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
     return judged;
@@ -250,9 +247,9 @@ class SiteJudge {
     return digits_of(set_.constants[number.constant].printed);
   }
 
-  std::vector<JudgedNumber> judged_numbers() const {
+  std::vector<LintedNumber> judged_numbers() const {
     const bool has_other_units = is_in_other_units(site_);
-    std::vector<JudgedNumber> numbers;
+    std::vector<LintedNumber> numbers;
     for (const SiteNumber& number : site_.numbers) {
       const bool is_shifted = number.match == DigitMatch::shifted;
       const bool is_of_units =
@@ -267,16 +264,19 @@ class SiteJudge {
   }
 
   /// A number at these literals. Its place is the last one.
-  JudgedNumber judged_number(const std::vector<std::size_t>& places, std::size_t constant,
+  LintedNumber judged_number(const std::vector<std::size_t>& places, std::size_t constant,
                              Grade grade) const {
-    const auto place = [&](std::size_t i) { return NumberPlace{at(i).offset, at(i).length}; };
-    JudgedNumber number{place(places.back()), constant, grade};
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) number.copies.push_back(place(places[i]));
+    LintedNumber number{set_.constants[constant].name, set_.constants[constant].printed, "", grade, 0, true};
+    for (const std::size_t i : places)
+      number.copies.push_back({at(i).offset, std::string(text_.text.substr(at(i).offset, at(i).length))});
+    number.offset = number.copies.back().offset;
+    number.text = number.copies.back().text;
+    number.copies.pop_back();
     return number;
   }
 
   /// The number that replaces a constant: in the published order, or by the expression.
-  std::optional<JudgedNumber> replacing(const ExpressionMatch& match,
+  std::optional<LintedNumber> replacing(const ExpressionMatch& match,
                                         const std::optional<std::size_t>& in_order) const {
     const std::size_t constant = *match.replaced;
     const double value = std::abs(match.constants[constant]);
@@ -284,7 +284,7 @@ class SiteJudge {
     if (in_order) return judged_number({*in_order}, constant, grade);
     const FoundLiterals found = reader_.literals_of(constant, value);
     if (found.literals.empty()) return std::nullopt;
-    JudgedNumber number = judged_number(found.literals, constant, grade);
+    LintedNumber number = judged_number(found.literals, constant, grade);
     number.is_certain = found.are_certain;
     return number;
   }
@@ -328,7 +328,7 @@ Reading reading_of(const ScannedText& program, const KnownSet& set, const Site& 
   return SiteReader(program, set, site, memory).reading();
 }
 
-std::optional<JudgedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,
+std::optional<LintedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,
                                      const Site& site, const EffectLimits& limits, TextMemory& memory) {
   return SiteJudge(text, program, set, site, memory).judge(limits);
 }

@@ -31,7 +31,7 @@ Reading reading_of(const ScannedText& program, const KnownSet& set, const Site& 
 
 /// The site, or empty if neither its numbers nor the expression around them show that it is one. `program` is
 /// the text without its comments, unless the site is in one.
-std::optional<JudgedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,
+std::optional<LintedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,
                                      const Site& site, const EffectLimits& limits, TextMemory& memory);
 
 }  // namespace shadefit::lint

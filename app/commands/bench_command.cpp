@@ -30,9 +30,9 @@ bench::FormsToTime forms_to_time(const BenchOptions& options, const Checkpoint& 
     const StudyFile file = named_study(*options.study, study_folders(options.studies));
     return bench::study_forms(file.id, comparisons_of(file, checkpoint), language);
   }
-  const forms::Catalogue catalogue = forms::catalogue();
+  const std::vector<forms::Target> catalogue = forms::catalogue();
   std::vector<std::string> known;
-  for (const forms::Target& target : catalogue.targets) {
+  for (const forms::Target& target : catalogue) {
     if (!bench::is_of_several_lights(target)) known.emplace_back(target.id);
   }
   for (const std::string& id : options.only) require_known(id, known, "target");

@@ -32,13 +32,14 @@ Words words_for(const CLI::App& app, const std::string& type) {
   if (type == "CITED") return with_studies(cited_ids());
   if (type == "STUDY") return with_studies({});
   if (type == "TARGET") {
-    for (const forms::Target& target : forms::catalogue().targets) {
+    for (const forms::Target& target : forms::catalogue()) {
       if (!bench::is_of_several_lights(target)) words.emplace_back(target.id);
     }
   } else if (type == "FORM|all") {
     words.emplace_back("all");
-    for (const forms::FormEntry& form : forms::catalogue().forms) {
-      if (form.arguments == forms::Arguments::cosine) words.emplace_back(form.id);
+    for (const forms::Target& target : forms::catalogue()) {
+      if (target.arguments != forms::Arguments::cosine) continue;
+      for (const forms::FormEntry& form : target.forms) words.emplace_back(form.id);
     }
   } else if (type == "COMMAND") {
     for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());

@@ -17,29 +17,30 @@ namespace shadefit {
 namespace {
 
 /// The forms that the option means, with their constants.
-std::vector<bench::SweptForm> swept_forms(const forms::Catalogue& catalogue, const BenchOptions& options) {
+std::vector<bench::SweptForm> swept_forms(const std::vector<forms::Target>& catalogue,
+                                          const BenchOptions& options) {
   const std::string& id = *options.exhaustive;
   const bool is_all = id == "all";
   if (is_all && options.constants)
     throw UserError("--exhaustive 'all' does not apply with --constants: it takes every set of every form");
   std::vector<bench::SweptForm> all;
   std::vector<std::string> known, sets;
-  for (const forms::FormEntry& form : catalogue.forms) {
-    if (form.arguments != forms::Arguments::cosine) {
-      if (form.id == id)
+  for (const forms::Target& target : catalogue) {
+    const bool is_of_cosine = target.arguments == forms::Arguments::cosine;
+    for (const forms::FormEntry& form : target.forms) {
+      if (is_of_cosine) known.emplace_back(form.id);
+      if (form.id != id && !(is_all && is_of_cosine)) continue;
+      if (!is_of_cosine)
         throw UserError(
             fmt::format("--exhaustive '{}' is not a form of one cosine: it reads {} of each element", id,
-                        form.arguments == forms::Arguments::cosine_and_code ? "a gloss too" : "a normal"));
-      continue;
+                        target.arguments == forms::Arguments::cosine_and_code ? "a gloss too" : "a normal"));
+      for (const forms::Constants& constants : form.constants) {
+        sets.push_back(constants.id);
+        if (!options.constants || constants.id == *options.constants)
+          all.push_back({&form, &target, &constants});
+      }
+      if (!is_all && !options.constants) all.resize(1);  // its first set
     }
-    known.emplace_back(form.id);
-    if (!is_all && form.id != id) continue;
-    for (const forms::Constants& constants : form.constants) {
-      sets.push_back(constants.id);
-      if (!options.constants || constants.id == *options.constants)
-        all.push_back({&form, &forms::target_of(catalogue, form.target), &constants});
-    }
-    if (!is_all && !options.constants) all.resize(1);  // its first set
   }
   if (!is_all) require_known(id, known, "form of one cosine");
   if (all.empty())
@@ -86,14 +87,12 @@ Table ulps_table(const bench::FloatErrors& found) {
 
 Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
                            const Progress& progress) {
-  const forms::Catalogue catalogue = forms::catalogue();
+  const std::vector<forms::Target> catalogue = forms::catalogue();
   const std::vector<bench::SweptForm> swept = swept_forms(catalogue, options);
   const bool is_one = *options.exhaustive != "all";
   std::optional<OutputFolder> folder;
   if (!is_one) folder.emplace(options.out);
-  const Sweeper sweeper =
-      options.device ? sweeper_on_device(catalogue, options)
-                     : Sweeper{"", [&](const auto& form) { return bench::subject_of(catalogue, form); }};
+  const Sweeper sweeper = options.device ? sweeper_on_device(options) : Sweeper{"", bench::subject_of};
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "above 1",
                "below 0", "beyond"}};
   const auto show = bar(checkpoint, progress, "exhaustive");

@@ -25,6 +25,6 @@ struct Sweeper {
 };
 
 /// `bench --exhaustive --device`. The bound of each result is that of `usual_gpu`.
-Sweeper sweeper_on_device(const forms::Catalogue& catalogue, const BenchOptions& options);
+Sweeper sweeper_on_device(const BenchOptions& options);
 
 }  // namespace shadefit

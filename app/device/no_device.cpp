@@ -24,7 +24,7 @@ bench::Trade trade_on_device(const BenchOptions&, const std::function<bench::For
   refuse("--device");
 }
 
-Sweeper sweeper_on_device(const forms::Catalogue&, const BenchOptions&) {
+Sweeper sweeper_on_device(const BenchOptions&) {
   refuse("--device");
 }
 

@@ -29,10 +29,10 @@ bench::Trade trade_on_device(const BenchOptions& options, const std::function<be
   return device::measure_on_device(for_times, for_values, forms(), plan, bar(checkpoint, progress, "bench"));
 }
 
-Sweeper sweeper_on_device(const forms::Catalogue& catalogue, const BenchOptions& options) {
+Sweeper sweeper_on_device(const BenchOptions& options) {
   const auto device = std::make_shared<device::VulkanDevice>(device::DeviceChoice{.place = *options.device});
-  return {name_with_driver(device->info()), [device, &catalogue](const bench::SweptForm& form) {
-            bench::FloatSubject subject = bench::subject_of(catalogue, form);
+  return {device->info().name + ", " + device->info().driver, [device](const bench::SweptForm& form) {
+            bench::FloatSubject subject = bench::subject_of(form);
             device::sweep_on_device(subject, *device,
                                     bench::function_of(*form.target, *form.form, *form.constants), usual_gpu);
             return subject;

@@ -169,7 +169,7 @@ Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown
   const findings::FindingReport report = lint_findings(linted, shown);
   std::string out = write_findings(report, format);
   if (format == findings::FindingFormat::text)
-    out += next_steps(lint_advice(linted, shown), given.paths, given.studies);
+    out += next_steps(lint_advice(linted, shown, report), given.paths, given.studies);
   std::string warnings = warnings_of(linted.skipped);
   if (const std::string skipped = skipped_words(linted.skipped); !skipped.empty()) {
     // The formats for programs have no place for it.

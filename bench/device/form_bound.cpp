@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <set>
-#include <stdexcept>
 #include <type_traits>
 
 #include "fit/support/parallel.hpp"
@@ -11,33 +10,14 @@
 namespace shadefit::device {
 namespace {
 
-Tape tape_of_code(const ShaderFunction& function, ShaderPrecision precision) {
-  return tape_of(as_generated(function.result, precision), function.arguments);
-}
-
 template <class Format>
 constexpr ShaderPrecision shader_precision =
     std::is_same_v<Format, HalfFormat> ? ShaderPrecision::float16 : ShaderPrecision::float32;
 
 }  // namespace
 
-FormInDouble::FormInDouble(const ShaderFunction& function, ShaderPrecision precision)
-    : tape_(tape_of_code(function, precision)) {
-  for (const double constant : tape_.constants<double>()) constants_.insert(constants_.end(), most, constant);
-}
-
-void FormInDouble::operator()(std::span<const double* const> arguments, double* results,
-                              std::size_t count) const {
-  if (count > most || arguments.size() != tape_.input_count())
-    throw std::logic_error("a form in double with other arguments than its own");
-  std::vector<double> registers(tape_.register_count() * count);
-  std::vector<double*> written;
-  for (std::size_t i = 0; i < tape_.register_count(); ++i) written.push_back(&registers[i * count]);
-  std::vector<const double*> table(written.begin(), written.end());
-  table.insert(table.end(), arguments.begin(), arguments.end());
-  for (std::size_t i = 0; i < constants_.size(); i += most) table.push_back(&constants_[i]);
-  tape_.run_over<double>(table, written, count);
-  std::copy_n(table[tape_.output(0)], count, results);
+Tape tape_of_code(const ShaderFunction& function, ShaderPrecision precision) {
+  return tape_of(as_generated(function.result, precision), function.arguments);
 }
 
 template <class Format>

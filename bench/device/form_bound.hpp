@@ -14,21 +14,9 @@
 /// The value of a form in double, and how far a device's result may be from it.
 namespace shadefit::device {
 
-/// Evaluates in double a function that `emit` writes, for many arguments at a time. Its constants are the
-/// decimals of the emitted code in that precision.
-class FormInDouble {
- public:
-  explicit FormInDouble(const ShaderFunction& function, ShaderPrecision precision = ShaderPrecision::float32);
-
-  /// `arguments` has one pointer for each argument, to `count` numbers. `count` is at most `most`. Several
-  /// threads may call it.
-  void operator()(std::span<const double* const> arguments, double* results, std::size_t count) const;
-  static constexpr std::size_t most = 1024;
-
- private:
-  Tape tape_;
-  std::vector<double> constants_;  ///< each repeated `most` times
-};
+/// The function that `emit` writes: its constants are the decimals of the code in that precision. In double,
+/// `values_at` has its values (fit/formula/batch.hpp).
+Tape tape_of_code(const ShaderFunction& function, ShaderPrecision precision = ShaderPrecision::float32);
 
 /// Bounds |computed - real| of the same function on a device, in float or in half: `RunningNarrow` with its
 /// model.

@@ -1,13 +1,13 @@
 #include "bench/device/form_sweep.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <memory>
 #include <vector>
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/form_bound.hpp"
+#include "fit/formula/batch.hpp"
 
 namespace shadefit::device {
 namespace {
@@ -16,13 +16,13 @@ namespace {
 struct Swept {
   Swept(VulkanDevice& device, const ShaderFunction& form, const GpuModel& model)
       : evaluator(device, compiler, form),
-        in_double(form),
+        code(tape_of_code(form)),
         panels(unit_panels()),
         bounds(bounds_on(panels, form, model)) {}
 
   ShaderCompiler compiler;
   Evaluator evaluator;
-  FormInDouble in_double;
+  Tape code;
   std::vector<std::uint32_t> panels;
   std::vector<double> bounds;
   std::uint32_t first = 0;  ///< the bit pattern that the first result belongs to
@@ -47,8 +47,7 @@ void sweep_on_device(bench::FloatSubject& subject, VulkanDevice& device, const S
   };
   subject.bound = [swept](const float* in, double* middle, double* radius, std::size_t count) {
     const std::vector<double> cosines(in, in + count);
-    const std::array arguments{cosines.data()};
-    swept->in_double(arguments, middle, count);
+    std::ranges::copy(values_at(swept->code, std::span(&cosines, 1), {}), middle);
     const std::vector<std::uint32_t>& panels = swept->panels;
     auto next = std::upper_bound(panels.begin(), panels.end(), std::bit_cast<std::uint32_t>(in[0]));
     for (std::size_t i = 0; i < count; ++i) {  // the floats rise

@@ -3,16 +3,66 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "bench/device/evaluator.hpp"
 #include "bench/forms/forms.hpp"
+#include "fit/scalars/half.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
 namespace {
 
-/// Times in ns, one for each round.
-using Rounds = std::vector<double>;
+/// The places, rounded to the precision: so the error is that of the form, not of its argument.
+bench::Places held(bench::Places places, ShaderPrecision precision) {
+  if (precision == ShaderPrecision::float16) {
+    for (std::vector<float>& axis : places) {
+      for (float& x : axis) x = static_cast<float>(round_to_half(x));
+    }
+  }
+  return places;
+}
+
+/// All arguments of the first place, then those of the second, and so on.
+std::vector<float> arguments_of(const bench::Places& places) {
+  std::vector<float> arguments;
+  for (std::size_t i = 0; i < places.front().size(); ++i) {
+    for (const std::vector<float>& axis : places) arguments.push_back(axis[i]);
+  }
+  return arguments;
+}
+
+/// The largest absolute error of each form in one precision. Empty if the target has no truth.
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
+                                                    ShaderPrecision precision,
+                                                    const std::function<void()>& between) {
+  const ShaderCompiler compiler;
+  std::vector<std::optional<double>> errors;
+  const bench::FormTarget* target = nullptr;
+  std::vector<double> truth;
+  std::vector<float> arguments;
+  for (const bench::FormToTime& form : forms.forms) {
+    between();
+    if (target != &forms.targets.at(form.target)) {
+      target = &forms.targets.at(form.target);
+      truth.clear();
+      if (target->truth) {
+        const bench::Places places = held(target->places, precision);
+        truth = target->truth(places);
+        arguments = arguments_of(places);
+      }
+    }
+    if (truth.empty()) {
+      errors.emplace_back();
+      continue;
+    }
+    Evaluator evaluator(device, compiler, form.function, precision);
+    errors.emplace_back(bench::largest_error(evaluator.of(arguments), truth));
+  }
+  return errors;
+}
 
 Rounds without(Rounds a, const Rounds& b, double times = 1) {
   for (std::size_t r = 0; r < a.size(); ++r) a[r] -= times * b[r];
@@ -34,50 +84,28 @@ InPrecision add_all(Programme& programme, const bench::FormsToTime& forms, Shade
   InPrecision all{.precision = precision,
                   .alone = programme.add(chain_alone(), unit, precision),
                   .polynomial = programme.add(bench::multiply_add_chain(), unit, precision)};
-  const bench::FormToTime* last = nullptr;
-  for (const bench::FormToTime& form : forms.forms) {
-    const bool is_timed = last != nullptr && last->target == form.target && last->shape == form.shape;
-    all.forms.push_back(is_timed
+  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
+    const auto& [target, row, shape, function] = forms.forms[i];
+    all.forms.push_back(forms.is_timed_before(i)
                             ? all.forms.back()
-                            : programme.add(form.function, forms.targets.at(form.target).ranges, precision));
-    last = &form;
+                            : programme.add(function, forms.targets.at(target).ranges, precision));
   }
   return all;
 }
 
-/// The times of all dispatches.
-class Measured {
- public:
-  Measured(const Programme& programme, std::vector<bench::Samples> samples)
-      : programme_(programme), samples_(std::move(samples)) {}
+/// The time of a multiply-add.
+Rounds multiply_add(const std::vector<Rounds>& times, const InPrecision& one) {
+  Rounds ns = without(times[one.polynomial], times[one.alone]);
+  for (double& x : ns) x /= forms::MultiplyAdds::count;
+  return ns;
+}
 
-  const Rounds& empty() const { return samples_.at(Programme::empty).ns; }
-
-  /// The time of a multiply-add.
-  Rounds multiply_add(const InPrecision& one) const {
-    Rounds ns = without(step(one.polynomial), step(one.alone));
-    for (double& x : ns) x /= forms::MultiplyAdds::count;
-    return ns;
-  }
-
-  /// The time of an evaluation of a function with so many arguments.
-  Rounds evaluation(const InPrecision& one, std::size_t slot, std::size_t arguments) const {
-    return without(without(step(slot), step(one.alone)), multiply_add(one),
-                   static_cast<double>(arguments - 1));
-  }
-
- private:
-  /// ns per element, less the time of the empty kernel.
-  Rounds step(std::size_t slot) const {
-    Rounds ns = samples_.at(slot).ns;
-    const double idle = bench::spread_of(empty()).median;
-    for (double& x : ns) x -= idle / static_cast<double>(programme_.elements(slot));
-    return ns;
-  }
-
-  const Programme& programme_;
-  std::vector<bench::Samples> samples_;
-};
+/// The time of an evaluation of a function with so many arguments.
+Rounds evaluation(const std::vector<Rounds>& times, const InPrecision& one, std::size_t slot,
+                  std::size_t arguments) {
+  return without(without(times[slot], times[one.alone]), multiply_add(times, one),
+                 static_cast<double>(arguments - 1));
+}
 
 /// A row with times. `unit` is the time of a multiply-add in float.
 bench::TimedForm timed_row(bench::TimedForm row, const Rounds& ns, double unit, bool is_half) {
@@ -98,22 +126,22 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
   std::vector<InPrecision> all{add_all(programme, forms, ShaderPrecision::float32)};
   if (info.has_half) all.push_back(add_all(programme, forms, ShaderPrecision::float16));
   for (InPrecision& one : all) one.errors = errors_on_device(for_values, forms, one.precision, go_on);
-  const Measured measured(programme, programme.run(between));
+  const std::vector<Rounds> times = programme.run(between);
 
   bench::Trade trade{.machine = {bench::this_cpu(), "", info.name, info.driver, name_of_clock(info)},
                      .rounds = plan.rounds,
                      .shows_all_sets = forms.are_of_a_study};
   for (const bench::FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
-  const double unit = bench::spread_of(measured.multiply_add(all.front())).median;
+  const double unit = bench::spread_of(multiply_add(times, all.front())).median;
   // All times are divided by it. A clock that stands still, or is coarse, gives 0.
   if (!(unit > 0))
     throw CheckFailed(
         fmt::format("the clock of the device is too coarse: a multiply-add takes {:.3g} ns", unit));
   trade.forms.push_back(
-      {.form = "empty-dispatch", .label = "empty-dispatch", .ns = bench::spread_of(measured.empty())});
+      {.form = "empty-dispatch", .label = "empty-dispatch", .ns = bench::spread_of(times.front())});
   for (const InPrecision& one : all)
     trade.forms.push_back(timed_row({.form = "multiply-add", .label = "multiply-add"},
-                                    measured.multiply_add(one), unit, one.is_half()));
+                                    multiply_add(times, one), unit, one.is_half()));
   for (std::size_t i = 0; i < forms.forms.size(); ++i) {
     const bench::FormToTime& form = forms.forms[i];
     for (const InPrecision& one : all) {
@@ -122,7 +150,7 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
       // not.
       if (one.errors[i] || one.is_half()) row.max_abs_error = one.errors[i];
       trade.forms.push_back(timed_row(
-          row, measured.evaluation(one, one.forms[i], form.function.arguments.size()), unit, one.is_half()));
+          row, evaluation(times, one, one.forms[i], form.function.arguments.size()), unit, one.is_half()));
     }
   }
   return trade;

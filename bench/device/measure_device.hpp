@@ -1,8 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <vector>
 
 #include "bench/device/programme.hpp"
 #include "bench/device/vulkan_device.hpp"
@@ -10,11 +8,6 @@
 
 /// Times and errors of forms on a device.
 namespace shadefit::device {
-
-/// The largest absolute error of each form on a device, in one precision. Empty if the target has no truth.
-std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
-                                                    ShaderPrecision precision,
-                                                    const std::function<void()>& between);
 
 /// Measures forms on a device: in float, and in half if the device has it. The device is opened twice:
 /// with buffers in its own memory for times, and with readable ones for errors.

@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "bench/tradeoff/trade.hpp"
+
 namespace shadefit::device {
 namespace {
 
@@ -14,13 +16,6 @@ std::uint32_t threads_of(const DeviceInfo& info) {
 }
 
 }  // namespace
-
-std::uint32_t turns_that_take(double seconds, std::uint32_t most,
-                              const std::function<double(std::uint32_t)>& run) {
-  for (std::uint32_t turns = 1;; turns *= 2) {
-    if (run(turns) >= seconds || turns > most / 2) return turns;
-  }
-}
 
 Programme::Programme(VulkanDevice& device, const bench::TimingPlan& plan, std::function<void()> between)
     : device_(device), plan_(plan), between_(std::move(between)), threads_(threads_of(device.info())) {
@@ -35,9 +30,15 @@ std::size_t Programme::add(const ShaderFunction& function, std::span<const bench
   return work_.size() - 1;
 }
 
-std::vector<bench::Samples> Programme::run(const std::function<void(double)>& between) const {
-  return bench::time_interleaved(
-      work_, plan_, [&] { return seconds_; }, between);
+std::vector<Rounds> Programme::run(const std::function<void(double)>& between) const {
+  const auto clock = [&] { return seconds_; };
+  std::vector<Rounds> times;
+  for (bench::Samples& samples : bench::time_interleaved(work_, plan_, clock, between))
+    times.push_back(std::move(samples.ns));
+  const double idle = bench::spread_of(times.front()).median;
+  for (std::size_t slot = 1; slot < times.size(); ++slot)
+    for (double& ns : times[slot]) ns -= idle / static_cast<double>(work_[slot].elements);
+  return times;
 }
 
 double Programme::seconds_of(const Program& program, std::uint32_t turns) const {
@@ -47,12 +48,12 @@ double Programme::seconds_of(const Program& program, std::uint32_t turns) const 
 }
 
 void Programme::add(const std::string& shader, ShaderPrecision precision, bool is_empty) {
-  constexpr std::uint32_t most = 1U << 24;  // no device runs so many in a millisecond
+  constexpr long most = 1L << 24;  // no device runs so many in a millisecond
   const Program program = device_.load(compiler_.spirv(shader, precision));
   seconds_of(program, is_empty ? 0 : 1);  // some drivers compile a shader at its first run
-  const std::uint32_t turns = is_empty ? 0 : turns_that_take(plan_.seconds, most, [&](std::uint32_t count) {
-    return seconds_of(program, count);
-  });
+  const auto run = [&](long turns) { return seconds_of(program, static_cast<std::uint32_t>(turns)); };
+  const auto turns =
+      is_empty ? 0U : static_cast<std::uint32_t>(bench::repeats_that_take(plan_.seconds, most, run));
   const std::size_t evaluations =
       is_empty ? 1 : std::size_t{threads_} * turns * std::size_t{evaluations_a_turn};
   work_.push_back({[=, this] { seconds_ += seconds_of(program, turns); }, evaluations, false});

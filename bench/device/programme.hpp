@@ -20,11 +20,8 @@ namespace shadefit::device {
 /// ones.
 inline constexpr bench::TimingPlan full_device_plan{41, 2e-3}, quick_device_plan{9, 1e-3};
 
-/// The smallest power of two of turns for which a dispatch takes at least `seconds`; at most `most`. `run`
-/// dispatches that many turns and returns its seconds. The number is doubled from one turn on, so no dispatch
-/// takes much longer than twice `seconds`, or than one turn.
-std::uint32_t turns_that_take(double seconds, std::uint32_t most,
-                              const std::function<double(std::uint32_t)>& run);
+/// Times in ns, one for each round.
+using Rounds = std::vector<double>;
 
 /// Dispatches with as many turns as the plan's seconds need, visited in interleaved rounds. The first is the
 /// empty kernel. The device must outlive it.
@@ -35,17 +32,13 @@ class Programme {
   Programme(const Programme&) = delete;
   Programme& operator=(const Programme&) = delete;
 
-  static constexpr std::size_t empty = 0;
-
   /// Adds a function whose arguments lie in these ranges. Returns its slot.
   std::size_t add(const ShaderFunction& function, std::span<const bench::Range> ranges,
                   ShaderPrecision precision);
 
-  /// The elements of a dispatch: 1 for the empty kernel, or the evaluations.
-  std::size_t elements(std::size_t slot) const { return work_.at(slot).elements; }
-
-  /// The times of all, in ns per element.
-  std::vector<bench::Samples> run(const std::function<void(double)>& between) const;
+  /// By slot the time of an evaluation in ns, one for each round, less the median time of the empty kernel.
+  /// The first is that of an empty dispatch.
+  std::vector<Rounds> run(const std::function<void(double)>& between) const;
 
  private:
   /// Dispatches a shader with so many turns, and returns the seconds.

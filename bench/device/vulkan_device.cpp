@@ -271,8 +271,6 @@ std::vector<DeviceInfo> vulkan_devices() {
 VulkanDevice::VulkanDevice(const DeviceChoice& choice)
     : parts_(in_words([&] { return std::make_unique<Parts>(choice); })) {}
 VulkanDevice::~VulkanDevice() = default;
-VulkanDevice::VulkanDevice(VulkanDevice&&) noexcept = default;
-VulkanDevice& VulkanDevice::operator=(VulkanDevice&&) noexcept = default;
 
 const DeviceInfo& VulkanDevice::info() const {
   return parts_->info;

@@ -24,10 +24,6 @@ struct DeviceInfo {
   bool has_timestamps = false;  ///< a clock of its own; otherwise a dispatch is timed from outside
 };
 
-inline std::string name_with_driver(const DeviceInfo& info) {
-  return info.name + ", " + info.driver;
-}
-
 /// The devices that can run compute shaders, in the order of the Vulkan loader. May be empty.
 std::vector<DeviceInfo> vulkan_devices();
 
@@ -57,8 +53,6 @@ class VulkanDevice {
   /// Throws UserError if `vulkan_devices` has no entry at `choice.place`.
   explicit VulkanDevice(const DeviceChoice& choice);
   ~VulkanDevice();
-  VulkanDevice(VulkanDevice&&) noexcept;
-  VulkanDevice& operator=(VulkanDevice&&) noexcept;
 
   const DeviceInfo& info() const;
 

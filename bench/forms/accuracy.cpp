@@ -146,40 +146,38 @@ std::string values_of(const Constants& constants) {
   return text;
 }
 
-void append_row(Table& table, const FormEntry& form, const Constants& constants, std::string_view arithmetic,
-                int degree, const Errors& errors) {
+void append_row(Table& table, const Target& target, const FormEntry& form, const Constants& constants,
+                std::string_view arithmetic, int degree, const Errors& errors) {
   // The truths are long doubles, 1/2048 of an ulp of double apart, and processors differ in their last digit.
   // So the errors of doubles have three digits.
   constexpr int few = 3, place_digits = 6;
   const int digits = arithmetic == "double" ? few : 6;
   const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
   std::string exp2;
-  if (form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
+  if (kernels_of(form.id).size() > 1) exp2 = degree == 0 ? "library" : std::to_string(degree);
   table.rows.push_back(
-      {std::string(form.target), std::string(form.id), constants.id, values_of(constants), exp2,
+      {std::string(target.id), std::string(form.id), constants.id, values_of(constants), exp2,
        std::string(arithmetic), number(errors.absolute, digits),
-       form.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, place_digits),
+       target.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, place_digits),
        number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
        number(errors.codes, few)});
 }
 
-void append(Table& table, const Target& target, const Catalogue& all, const Checkpoint& checkpoint) {
+void append(Table& table, const Target& target, const Checkpoint& checkpoint) {
   const Grid grid = grid_of(target);
-  const Kernel<long double> exact = find_kernels(reference_of(all, target.id).id)->in_long_double;
+  const Kernel<long double> exact = kernels_of(target.forms.front().id).front().in_long_double;
   const Places<Eigen::half> halves(grid, target, exact);
   const Places<float> floats(grid, target, exact);
   const Places<double> doubles(grid, target, exact);
-  for (const FormEntry& form : all.forms) {
-    if (form.target != target.id) continue;
+  for (const FormEntry& form : target.forms) {
     for (const Constants& constants : form.constants) {
       const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic, int degree) {
         if (kernel == nullptr) return;
         checkpoint();
-        append_row(table, form, constants, arithmetic, degree,
+        append_row(table, target, form, constants, arithmetic, degree,
                    errors_of(places, places.results(kernel, constants)));
       };
-      for (const FormKernels& kernels : all_kernels()) {
-        if (kernels.form != form.id) continue;
+      for (const FormKernels& kernels : kernels_of(form.id)) {
         const bool is_library = kernels.exp2_degree == 0;
         add(doubles, is_library ? kernels.exact_double : kernels.in_double, "double", kernels.exp2_degree);
         add(floats, is_library ? kernels.exact_float : kernels.in_float, "float", kernels.exp2_degree);
@@ -192,13 +190,13 @@ void append(Table& table, const Target& target, const Catalogue& all, const Chec
 }  // namespace
 
 Table accuracy_table(const Checkpoint& checkpoint, const std::function<void(double share)>& progress) {
-  const Catalogue all = catalogue();
+  const std::vector<Target> targets = catalogue();
   Table table{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
                           "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes"},
               .rows = {}};
-  for (const Target& target : all.targets) {
-    progress(static_cast<double>(&target - all.targets.data()) / static_cast<double>(all.targets.size()));
-    append(table, target, all, checkpoint);
+  for (const Target& target : targets) {
+    progress(static_cast<double>(&target - targets.data()) / static_cast<double>(targets.size()));
+    append(table, target, checkpoint);
   }
   return table;
 }

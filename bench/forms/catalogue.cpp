@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <utility>
 
 #include "bench/forms/pair_for_exp2.hpp"
@@ -88,99 +87,84 @@ std::vector<Constants> nothing() {
   return {{"none", {}}};
 }
 
-/// Appends a form of the target that came last.
 template <class Form>
-void append(Catalogue& all, std::vector<Constants> constants) {
-  all.forms.push_back(
-      {Form::id, all.targets.back().id, Form::arguments, Form::function, std::move(constants)});
+void append(Target& target, std::vector<Constants> constants) {
+  target.forms.push_back({Form::id, std::move(constants)});
 }
 
 static_assert(fixed_exponent == 16, "the texts of the targets say so");
 
-void append_lobe(Catalogue& all, const std::vector<Constants>& offsets) {
-  all.targets.push_back({"lobe",
-                         "c^k, k = 16",
-                         Arguments::cosine,
-                         0,
-                         1,
-                         {printed_number("k", std::to_string(fixed_exponent))}});
-  append<LobePower>(all, nothing());
-  append<LobeExp2Log2>(all, nothing());
-  append<LobeSquarings>(all, nothing());
-  append<LobeGaussian>(all, offsets);
-  append<LobeGaussianOfDifference>(all, telling(offsets));
-  append<LobeScaledGaussian>(all, constants_of("sg-scaled"));
-  append<LobeBlinn>(all, constants_of("phong-blinn"));
+Target lobe(const std::vector<Constants>& offsets) {
+  Target target{
+      "lobe", "c^k, k = 16", Arguments::cosine, 0, 1, {printed_number("k", std::to_string(fixed_exponent))}};
+  append<LobePower>(target, nothing());
+  append<LobeExp2Log2>(target, nothing());
+  append<LobeSquarings>(target, nothing());
+  append<LobeGaussian>(target, offsets);
+  append<LobeGaussianOfDifference>(target, telling(offsets));
+  append<LobeScaledGaussian>(target, constants_of("sg-scaled"));
+  append<LobeBlinn>(target, constants_of("phong-blinn"));
+  return target;
 }
 
-void append_gloss(Catalogue& all) {
-  all.targets.push_back({"lobe-gloss",
-                         "c^(2^(d g + f)), g an 8-bit code/255",
-                         Arguments::cosine_and_code,
-                         0,
-                         1,
-                         {printed_number("d", "10"), printed_number("f", "1")}});
-  append<GlossPower>(all, nothing());
+Target gloss() {
+  Target target{"lobe-gloss",
+                "c^(2^(d g + f)), g an 8-bit code/255",
+                Arguments::cosine_and_code,
+                0,
+                1,
+                {printed_number("d", "10"), printed_number("f", "1")}};
+  append<GlossPower>(target, nothing());
   // Lagarde 2012.
   const auto with_offset = [](const char* name, std::string_view x) -> Constants {
     return {name, {printed_number("m", "1.528766"), printed_number("x", x)}};
   };
   append<GlossGaussian>(
-      all, {with_offset("plain", "0"),
-            with_offset("published-sg-offset-mean", find_published("sg-offset-mean")->printed),
-            with_offset("published-sg-offset-limit", find_published("sg-offset-limit")->printed)});
+      target, {with_offset("plain", "0"),
+               with_offset("published-sg-offset-mean", find_published("sg-offset-mean")->printed),
+               with_offset("published-sg-offset-limit", find_published("sg-offset-limit")->printed)});
+  return target;
 }
 
-void append_schlick(Catalogue& all) {
-  all.targets.push_back({"schlick", "(1 - c)^5", Arguments::cosine, 0, 1, {}});
-  append<SchlickPower>(all, nothing());
-  append<SchlickMultiplied>(all, nothing());
-  const auto append_family = [&]<class Form>(Form) { append<Form>(all, constants_of(Form::id)); };
+Target schlick() {
+  Target target{"schlick", "(1 - c)^5", Arguments::cosine, 0, 1, {}};
+  append<SchlickPower>(target, nothing());
+  append<SchlickMultiplied>(target, nothing());
+  const auto append_family = [&]<class Form>(Form) { append<Form>(target, constants_of(Form::id)); };
   append_family(FresnelOneTermForm());
   append_family(FresnelQuadraticForm());
-  append_pair_for_exp2(all.forms.back().constants);
+  append_pair_for_exp2(target.forms.back().constants);
   append_family(FresnelCubicForm());
   append_family(FresnelQuarticForm());
   append_family(FresnelFourthForm());
   append_family(FresnelSquareForm());
   append_family(FresnelRationalForm());
+  return target;
 }
 
-void append_phases(Catalogue& all) {
-  all.targets.push_back({"henyey-greenstein",
-                         "(1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5)",
-                         Arguments::cosine,
-                         -1,
-                         1,
-                         {printed_number("g", "0.76")}});
-  append<HenyeyGreensteinPower>(all, nothing());
-  append<HenyeyGreensteinRoot>(all, nothing());
+Target phases() {
+  Target target{
+      "henyey-greenstein",          "(1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5)", Arguments::cosine, -1, 1,
+      {printed_number("g", "0.76")}};
+  append<HenyeyGreensteinPower>(target, nothing());
+  append<HenyeyGreensteinRoot>(target, nothing());
   // Pharr, Humphreys 2010.
-  append<SchlickPhase>(all, {{"published", {printed_number("a", "1.55"), printed_number("b", "0.55")}}});
+  append<SchlickPhase>(target, {{"published", {printed_number("a", "1.55"), printed_number("b", "0.55")}}});
+  return target;
 }
 
-void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
-                   const std::vector<Constants>& offsets) {
+Target lights(std::string_view id, std::size_t count, const std::vector<Constants>& offsets) {
   Target target{id, "sum of max(n.l, 0)^k over the lights, k = 16",       Arguments::normal_to_lights, 0,
                 1,  {printed_number("k", std::to_string(fixed_exponent))}};
-  for (std::size_t i = 0; i < lights; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const std::array<double, 3> direction = spread_direction(i);
     for (std::size_t axis = 0; axis < 3; ++axis)
       target.parameters.push_back(computed_number(std::array{"x", "y", "z"}[axis], direction[axis]));
   }
-  all.targets.push_back(std::move(target));
-  append<PhongPower>(all, nothing());
-  append<PhongSquarings>(all, nothing());
-  append<PhongGaussian>(all, telling(offsets));
-}
-
-/// The first item with such a member.
-template <class Item>
-const Item& first_of(const std::vector<Item>& items, std::string_view Item::*member,
-                     std::string_view wanted) {
-  const auto found = std::ranges::find(items, wanted, member);
-  if (found == items.end()) throw std::logic_error("the catalogue lacks " + std::string(wanted));
-  return *found;
+  append<PhongPower>(target, nothing());
+  append<PhongSquarings>(target, nothing());
+  append<PhongGaussian>(target, telling(offsets));
+  return target;
 }
 
 }  // namespace
@@ -198,19 +182,17 @@ std::array<double, 3> spread_direction(std::size_t i) {
   return {2 * p / (1 + square), 2 * q / (1 + square), (1 - square) / (1 + square)};
 }
 
-Catalogue catalogue() {
-  Catalogue all;
+std::vector<Target> catalogue() {
   std::vector<Constants> offsets = constants_of("sg-offset");
   append_conventions(offsets);
-  append_lobe(all, offsets);
-  append_gloss(all);
-  append_schlick(all);
-  append_phases(all);
-  append_lights(all, "phong-1", 1, offsets);
-  append_lights(all, "phong-4", 4, offsets);
-  append_lights(all, "phong-16", 16, offsets);
-  append_lights(all, "phong-64", 64, offsets);
-  return all;
+  return {lobe(offsets),
+          gloss(),
+          schlick(),
+          phases(),
+          lights("phong-1", 1, offsets),
+          lights("phong-4", 4, offsets),
+          lights("phong-16", 16, offsets),
+          lights("phong-64", 64, offsets)};
 }
 
 std::vector<double> parameters_of(const Target& target, const Constants& constants) {
@@ -218,14 +200,6 @@ std::vector<double> parameters_of(const Target& target, const Constants& constan
   for (const NamedNumber& number : target.parameters) all.push_back(number.value);
   for (const NamedNumber& number : constants.numbers) all.push_back(number.value);
   return all;
-}
-
-const Target& target_of(const Catalogue& catalogue, std::string_view id) {
-  return first_of(catalogue.targets, &Target::id, id);
-}
-
-const FormEntry& reference_of(const Catalogue& catalogue, std::string_view target) {
-  return first_of(catalogue.forms, &FormEntry::target, target);
 }
 
 }  // namespace shadefit::forms

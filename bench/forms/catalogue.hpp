@@ -18,15 +18,6 @@ struct NamedNumber {
   double value = 0;
 };
 
-/// The approximated function. Its parameters come first in the parameters of each of its kernels.
-struct Target {
-  std::string_view id;      ///< "lobe", "lobe-gloss", "schlick", "phong-1" .. "phong-64", "henyey-greenstein"
-  std::string_view text;    ///< "c^k, k = 16"
-  Arguments arguments;      ///< what it reads of each element
-  double from = 0, to = 1;  ///< the range of its cosines
-  std::vector<NamedNumber> parameters;
-};
-
 /// A form's own constants, which follow the target's parameters.
 struct Constants {
   std::string id;  ///< "published-sg-offset-mean", "minimax-absolute", "least-squares-cosine", "none" ..
@@ -34,32 +25,28 @@ struct Constants {
 };
 
 struct FormEntry {
-  std::string_view id;      ///< the id of the kernels (`FormKernels`)
-  std::string_view target;  ///< the id of its target
-  Arguments arguments;
-  Function function;
+  std::string_view id;               ///< that of its kernels
   std::vector<Constants> constants;  ///< at least one set, which may be empty of numbers
 };
 
-struct Catalogue {
-  std::vector<Target> targets;
-  std::vector<FormEntry> forms;  ///< target by target; the first of each is the target itself
+/// The approximated function. Its parameters come first in the parameters of each of its kernels.
+struct Target {
+  std::string_view id;      ///< "lobe", "lobe-gloss", "schlick", "phong-1" .. "phong-64", "henyey-greenstein"
+  std::string_view text;    ///< "c^k, k = 16"
+  Arguments arguments;      ///< what it reads of each element
+  double from = 0, to = 1;  ///< the range of its cosines
+  std::vector<NamedNumber> parameters;
+  std::vector<FormEntry> forms = {};  ///< the first is the target itself
 };
 
 /// The power of the fixed lobe and of the highlights: 2^4, which four squarings compute.
 inline constexpr int fixed_exponent = LobeSquarings::exponent;
 
 /// The catalogue. Each call computes its fits, in a fraction of a second.
-Catalogue catalogue();
+std::vector<Target> catalogue();
 
 /// The parameters of a kernel: the target's, then the form's.
 std::vector<double> parameters_of(const Target& target, const Constants& constants);
-
-/// The target with that id. Throws std::logic_error if there is none.
-const Target& target_of(const Catalogue& catalogue, std::string_view id);
-
-/// The form that is the target itself: the first of its forms.
-const FormEntry& reference_of(const Catalogue& catalogue, std::string_view target);
 
 /// The i-th of N evenly spread directions in the hemisphere around z. It uses only additions, products and
 /// quotients, so it is the same on every machine.

@@ -72,8 +72,8 @@ template <class Form>
 void append(std::vector<FormKernels>& all) {
   all.push_back({Form::id, 0, kernel_of<Form, float>, kernel_of<Form, double>,
                  kernel_of<Form, Library<float>>, kernel_of<Form, Library<double>>,
-                 kernel_of<Form, Eigen::half>, kernel_of<Form, long double>});
-  if constexpr (Form::function == Function::exp2) {
+                 kernel_of<Form, Eigen::half>, kernel_of<Form, long double>, kernel_of<Form, Symbolic>});
+  if constexpr (Form::has_exp2) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (all.push_back(with_polynomial<Form, least_exp2_degree + static_cast<int>(I)>()), ...);
     }
@@ -82,7 +82,7 @@ void append(std::vector<FormKernels>& all) {
 }
 
 template <class... Forms>
-std::vector<FormKernels> kernels_of(FormList<Forms...>) {
+std::vector<FormKernels> all_kernels(FormList<Forms...>) {
   std::vector<FormKernels> all;
   (append<Forms>(all), ...);
   return all;
@@ -90,16 +90,11 @@ std::vector<FormKernels> kernels_of(FormList<Forms...>) {
 
 }  // namespace
 
-std::span<const FormKernels> all_kernels() {
-  static const std::vector<FormKernels> all = kernels_of(AllForms());
-  return all;
-}
-
-const FormKernels* find_kernels(std::string_view form) {
-  for (const FormKernels& kernels : all_kernels()) {
-    if (kernels.form == form && kernels.exp2_degree == 0) return &kernels;
-  }
-  return nullptr;
+std::span<const FormKernels> kernels_of(std::string_view form) {
+  static const std::vector<FormKernels> all = all_kernels(AllForms());
+  const auto first = std::ranges::find(all, form, &FormKernels::form);
+  const auto is_other = [&](const FormKernels& kernels) { return kernels.form != form; };
+  return {first, std::find_if(first, all.end(), is_other)};
 }
 
 }  // namespace shadefit::forms

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "fit/scalars/symbolic.hpp"
+
 /// Every form over arrays, in each arithmetic.
 namespace shadefit::forms {
 
@@ -35,12 +37,10 @@ struct FormKernels {
   Kernel<double> exact_double = nullptr;
   Kernel<Eigen::half> in_half = nullptr;
   Kernel<long double> in_long_double = nullptr;
+  Kernel<Symbolic> in_symbols = nullptr;  ///< its results are formulas
 };
 
-/// All of them, form by form.
-std::span<const FormKernels> all_kernels();
-
-/// The kernels of a form with the exp2 of the library, or null.
-const FormKernels* find_kernels(std::string_view form);
+/// The kernels of a form, first those with the exp2 of the library. Empty for an unknown form.
+std::span<const FormKernels> kernels_of(std::string_view form);
 
 }  // namespace shadefit::forms

@@ -27,18 +27,17 @@ using RealOf = decltype(number_of(std::declval<S>()));
 
 /// The prepared constants of a form, from its parameters.
 template <class Form, class S>
-auto prepared_in(const std::array<RealOf<S>, Form::parameters>& parameters) {
-  std::array<S, Form::parameters> given;
-  for (std::size_t i = 0; i < Form::parameters; ++i) given[i] = S{parameters[i]};
-  return Form::template prepared<S>(given);
+auto prepared_in([[maybe_unused]] std::span<const RealOf<S>> parameters) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return Form::template prepared<S>(std::array<S, Form::parameters>{S{parameters[I]}...});
+  }
+  (std::make_index_sequence<Form::parameters>());
 }
 
 /// A form of one argument, or of two.
 template <class Form, class S>
 void over_elements(const Arrays<RealOf<S>>& arrays, std::span<const RealOf<S>> parameters) {
-  std::array<RealOf<S>, Form::parameters> given;
-  for (std::size_t i = 0; i < Form::parameters; ++i) given[i] = parameters[i];
-  const auto constants = prepared_in<Form, S>(given);
+  const auto constants = prepared_in<Form, S>(parameters);
   for (std::size_t i = 0; i < arrays.size; ++i) {
     const S c{arrays.in[0][i]};
     if constexpr (Form::arguments == Arguments::cosine_and_code) {
@@ -56,16 +55,15 @@ void over_lights(const Arrays<RealOf<S>>& arrays, std::span<const RealOf<S>> par
   const std::size_t count = (parameters.size() - 1 - of_form) / 3;
   std::vector<decltype(prepared_in<Form, S>({}))> lights;
   for (std::size_t light = 0; light < count; ++light) {
-    std::array<RealOf<S>, Form::parameters> given;
-    given[0] = parameters[0];
-    for (std::size_t i = 0; i < 3; ++i) given[1 + i] = parameters[1 + 3 * light + i];
-    for (std::size_t i = 0; i < of_form; ++i) given[4 + i] = parameters[1 + 3 * count + i];
+    std::vector<RealOf<S>> given{parameters[0]};
+    for (std::size_t i = 0; i < 3; ++i) given.push_back(parameters[1 + 3 * light + i]);
+    for (std::size_t i = 0; i < of_form; ++i) given.push_back(parameters[1 + 3 * count + i]);
     lights.push_back(prepared_in<Form, S>(given));
   }
   for (std::size_t i = 0; i < arrays.size; ++i) {
     const std::array<S, 3> normal{S{arrays.in[0][i]}, S{arrays.in[1][i]}, S{arrays.in[2][i]}};
-    S sum{static_cast<RealOf<S>>(0)};
-    for (const auto& light : lights) sum = sum + Form()(normal, light);
+    S sum = Form()(normal, lights.front());
+    for (const auto& light : std::span(lights).subspan(1)) sum = sum + Form()(normal, light);
     arrays.out[i] = number_of(sum);
   }
 }

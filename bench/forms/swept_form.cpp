@@ -6,15 +6,15 @@
 
 namespace shadefit::bench {
 
-FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& swept) {
-  const forms::FormEntry& exact = forms::reference_of(catalogue, swept.target->id);
+FloatSubject subject_of(const SweptForm& swept) {
+  const forms::FormEntry& exact = swept.target->forms.front();
   const auto given = forms::parameters_of(*swept.target, *swept.constants);
-  return {[form = forms::find_kernels(swept.form->id)->in_float,
+  return {[form = forms::kernels_of(swept.form->id).front().in_float,
            parameters = std::vector<float>(given.begin(), given.end())](const float* in, float* out,
                                                                         std::size_t count) {
             form({.in = {in}, .out = out, .size = count}, parameters);
           },
-          [truth = forms::find_kernels(exact.id)->in_double,
+          [truth = forms::kernels_of(exact.id).front().in_double,
            parameters = forms::parameters_of(*swept.target, exact.constants.front())](
               const float* in, double* out, std::size_t count) {
             const std::vector<double> cosines(in, in + count);

@@ -17,6 +17,6 @@ struct SweptForm {
 /// error is a few last bits of a double: less than one for pow of the C library (as documented), half of one
 /// for 1 - c of a float, multiplied by a power of some tens. One ulp of a float is 2^29 ulps of a double, so
 /// the reference rounds to the right float, except within a millionth of the middle between two floats.
-FloatSubject subject_of(const forms::Catalogue& catalogue, const SweptForm& swept);
+FloatSubject subject_of(const SweptForm& swept);
 
 }  // namespace shadefit::bench

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "bench/forms/kernels.hpp"
@@ -12,26 +11,18 @@
 namespace shadefit::bench {
 namespace {
 
-/// Places of a grid. For a form with few extrema, the largest error is found to a millionth of it.
-constexpr std::size_t grid_places = 16384;
-
-/// A dense grid over the domain of a target, ends included.
+/// A dense grid over the domain of a target, ends included. For a form with few extrema, the largest error is
+/// found to a millionth of it.
 Places grid_of(const forms::Target& target) {
-  const bool has_normals = target.arguments == forms::Arguments::normal_to_lights;
-  const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
-  Places grid(has_normals ? 3 : has_codes ? 2 : 1);
-  for (std::size_t i = 0; i < grid_places; ++i) {
-    if (has_normals) {
-      const auto direction = forms::spread_direction(i);
-      for (std::size_t axis = 0; axis < 3; ++axis) grid[axis].push_back(static_cast<float>(direction[axis]));
-      continue;
-    }
-    // With codes: each of the 256 at every 64th of the cosines.
-    const std::size_t step = has_codes ? i / 256 : i,
-                      last = has_codes ? grid_places / 256 - 1 : grid_places - 1;
-    const double share = static_cast<double>(step) / static_cast<double>(last);
-    grid[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
-    if (has_codes) grid[1].push_back(static_cast<float>(i % 256));
+  constexpr std::size_t count = 16384, codes = 256;
+  const Range cosines{target.from, target.to};
+  if (target.arguments == forms::Arguments::cosine) return grid_over({cosines}, {count});
+  if (target.arguments == forms::Arguments::cosine_and_code)
+    return grid_over({cosines, {0, codes - 1}}, {count / codes, codes});
+  Places grid(3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto direction = forms::spread_direction(i);
+    for (std::size_t axis = 0; axis < 3; ++axis) grid[axis].push_back(static_cast<float>(direction[axis]));
   }
   return grid;
 }
@@ -47,12 +38,12 @@ std::vector<Real> values_of(forms::Kernel<Real> kernel, const Places& places,
   return out;
 }
 
-FormTarget made_target(const forms::Catalogue& catalogue, const forms::Target& target) {
-  const forms::FormEntry& exact = forms::reference_of(catalogue, target.id);
+FormTarget made_target(const forms::Target& target) {
+  const forms::FormEntry& exact = target.forms.front();
   FormTarget made{{std::string(target.id), std::string(target.id) + ": " + std::string(target.text)},
                   {},
                   grid_of(target),
-                  [kernel = forms::find_kernels(exact.id)->in_double,
+                  [kernel = forms::kernels_of(exact.id).front().in_double,
                    given = forms::parameters_of(target, exact.constants.front())](const Places& places) {
                     return values_of(kernel, places, given);
                   }};
@@ -68,30 +59,6 @@ std::vector<std::string> arguments_of(forms::Arguments arguments) {
   if (arguments == forms::Arguments::normal_to_lights) return {"x", "y", "z"};
   if (arguments == forms::Arguments::cosine_and_code) return {"c", "code"};
   return {"c"};
-}
-
-template <class Form>
-Symbolic result_of(const std::vector<Symbolic>& numbers) {
-  std::array<Symbolic, Form::parameters> p = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Symbolic, Form::parameters>{numbers.at(I)...};
-  }
-  (std::make_index_sequence<Form::parameters>());
-  const auto prepared = Form::template prepared<Symbolic>(p);
-  const auto variable = [](const char* name) { return Symbolic::variable(name); };
-  if constexpr (Form::arguments == forms::Arguments::cosine) {
-    return Form()(variable("c"), prepared);
-  } else if constexpr (Form::arguments == forms::Arguments::cosine_and_code) {
-    return Form()(variable("c"), variable("code"), prepared);
-  } else {
-    return Form()(std::array<Symbolic, 3>{variable("x"), variable("y"), variable("z")}, prepared);
-  }
-}
-
-template <class... Forms>
-Symbolic result_of(forms::FormList<Forms...>, std::string_view id, const std::vector<Symbolic>& numbers) {
-  std::optional<Symbolic> result;
-  ((Forms::id == id ? void(result = result_of<Forms>(numbers)) : void()), ...);
-  return result.value();
 }
 
 /// Appends a form with an exp2: a row for each set of its constants.
@@ -133,26 +100,31 @@ bool is_of_several_lights(const forms::Target& target) {
 
 ShaderFunction function_of(const forms::Target& target, const forms::FormEntry& form,
                            const forms::Constants& constants) {
-  std::vector<Symbolic> numbers;
+  std::vector<Symbolic> numbers, variables;
   for (const auto* list : {&target.parameters, &constants.numbers}) {
     for (const forms::NamedNumber& number : *list) numbers.push_back(Symbolic::number(number.printed));
   }
-  return {form_name, arguments_of(form.arguments), result_of(forms::AllForms(), form.id, numbers)};
+  const std::vector<std::string> arguments = arguments_of(target.arguments);
+  for (const std::string& name : arguments) variables.push_back(Symbolic::variable(name));
+  Symbolic result = variables.front();
+  forms::Arrays<Symbolic> one{{}, &result, 1};
+  for (std::size_t i = 0; i < variables.size(); ++i) one.in[i] = &variables[i];
+  forms::kernels_of(form.id).front().in_symbols(one, numbers);
+  return {form_name, arguments, result};
 }
 
-FormsToTime catalogue_forms(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
-                            Exp2Kinds exp2) {
+FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
+                            const std::vector<std::string>& targets, Exp2Kinds exp2) {
   FormsToTime all;
-  for (const forms::Target& target : catalogue.targets) {
+  for (const forms::Target& target : catalogue) {
     const bool is_wanted = targets.empty() || std::ranges::find(targets, target.id) != targets.end();
     if (!is_wanted || is_of_several_lights(target)) continue;
-    all.targets.push_back(made_target(catalogue, target));
+    all.targets.push_back(made_target(target));
     const std::vector<double> truth = all.targets.back().truth(all.targets.back().places);
-    for (const forms::FormEntry& form : catalogue.forms) {
-      if (form.target != target.id) continue;
-      for (const forms::FormKernels& kernels : forms::all_kernels()) {
-        const bool has_its_exp2 = exp2 == Exp2Kinds::polynomials || kernels.exp2_degree == 0;
-        if (kernels.form == form.id && has_its_exp2) append(all, target, form, kernels, truth);
+    for (const forms::FormEntry& form : target.forms) {
+      for (const forms::FormKernels& kernels : forms::kernels_of(form.id)) {
+        if (exp2 == Exp2Kinds::polynomials || kernels.exp2_degree == 0)
+          append(all, target, form, kernels, truth);
       }
     }
   }

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <deque>
-#include <type_traits>
+#include <span>
 #include <utility>
 
 #include "approx/exp2_polynomial.hpp"
@@ -24,27 +23,6 @@ struct TimedFunction {
   int exp2_degree;
   std::size_t arrays;  ///< the place of its arrays
 };
-
-template <int degree>
-std::string polynomial_code() {
-  using Limits = ExponentLimits<float>;
-  const std::array near_zero{ShaderFunction{
-      fmt::format("near_zero_{}", degree),
-      {"r"},
-      exp2_near_zero(Symbolic::variable("r"), exp2_coefficients<Exp2Choice<degree, float>, Symbolic>())}};
-  return shader_code(near_zero, Language::c, ShaderPrecision::float32, {}) +
-         fmt::format(
-             "static inline float exp2_degree_{0}(float x) {{\n"
-             "  const float above = x < {1}.0f ? {1}.0f : x, within = {2}.0f < above ? {2}.0f : above;\n"
-             "  const float shifted = within + {3}.0f;\n"
-             "  union {{ float number; unsigned bits; }} whole, result;\n"
-             "  whole.number = shifted;\n"
-             "  result.number = near_zero_{0}(within - (shifted - {3}.0f));\n"
-             "  result.bits += whole.bits << {4};\n"
-             "  return result.number;\n}}\n",
-             degree, static_cast<int>(Limits::least), static_cast<int>(Limits::largest),
-             static_cast<int>(Limits::rounder), Limits::mantissa_bits);
-}
 
 /// The loop that calls a function.
 std::string loop_of(const ShaderFunction& function) {
@@ -128,15 +106,25 @@ class FilledArrays {
 }  // namespace
 
 std::string exp2_in_c(int degree) {
-  std::string code;
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    const auto take = [&]<int D>(std::integral_constant<int, D>) {
-      if (degree == D) code = polynomial_code<D>();
-    };
-    (take(std::integral_constant<int, least_exp2_degree + static_cast<int>(I)>()), ...);
-  }
-  (std::make_index_sequence<exp2_for_float.size()>());
-  return code;
+  using Limits = ExponentLimits<float>;
+  std::vector<Symbolic> coefficients;
+  const Exp2Coefficients& polynomial = exp2_of_degree(exp2_for_float, degree);
+  for (const std::string_view printed : std::span(polynomial.printed).first(static_cast<std::size_t>(degree)))
+    coefficients.push_back(Symbolic::number(printed));
+  const ShaderFunction near_zero{
+      fmt::format("near_zero_{}", degree), {"r"}, exp2_near_zero(Symbolic::variable("r"), coefficients)};
+  return shader_code(std::span(&near_zero, 1), Language::c, ShaderPrecision::float32, {}) +
+         fmt::format(
+             "static inline float exp2_degree_{0}(float x) {{\n"
+             "  const float above = x < {1}.0f ? {1}.0f : x, within = {2}.0f < above ? {2}.0f : above;\n"
+             "  const float shifted = within + {3}.0f;\n"
+             "  union {{ float number; unsigned bits; }} whole, result;\n"
+             "  whole.number = shifted;\n"
+             "  result.number = near_zero_{0}(within - (shifted - {3}.0f));\n"
+             "  result.bits += whole.bits << {4};\n"
+             "  return result.number;\n}}\n",
+             degree, static_cast<int>(Limits::least), static_cast<int>(Limits::largest),
+             static_cast<int>(Limits::rounder), Limits::mantissa_bits);
 }
 
 Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clock,
@@ -146,12 +134,10 @@ Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clo
   arrays.emplace_back(std::vector{Range{0, 1}});
   std::vector<TimedFunction> timed{{multiply_add_chain(), 0, arrays.size() - 1}};
   std::vector<std::size_t> time_of;  // by form: the place of its function
-  const FormToTime* last = nullptr;
-  for (const FormToTime& form : forms.forms) {
-    const bool is_timed = last != nullptr && last->target == form.target && last->shape == form.shape;
-    if (!is_timed) timed.push_back({form.function, form.row.exp2_degree, form.target});
+  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
+    const FormToTime& form = forms.forms[i];
+    if (!forms.is_timed_before(i)) timed.push_back({form.function, form.row.exp2_degree, form.target});
     time_of.push_back(timed.size() - 1);
-    last = &form;
   }
   for (std::size_t i = 0; i < timed.size(); ++i) timed[i].function.name = fmt::format("form_{}", i);
   between(0);

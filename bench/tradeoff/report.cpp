@@ -12,12 +12,8 @@ namespace shadefit::bench {
 namespace {
 
 /// A time or an error: three digits, because times are repeatable to about a percent.
-Cell measured(double value) {
-  return Number{value, 3};
-}
-
 Cell measured(const std::optional<double>& value) {
-  return value ? measured(*value) : Cell{};
+  return value ? Cell(Number{*value, 3}) : Cell{};
 }
 
 using Row = std::vector<std::pair<const char*, Cell>>;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bench/tradeoff/timed_forms.hpp"
+#include "fit/formula/batch.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
@@ -13,37 +14,6 @@
 
 namespace shadefit::bench {
 namespace {
-
-/// The floats of a grid over the ranges with their ends, about as many as the catalogue's grid has.
-Places grid_over(const std::vector<Range>& ranges) {
-  constexpr double most = 16384;
-  const auto steps = static_cast<std::size_t>(std::pow(most, 1 / static_cast<double>(ranges.size())) + 0.5);
-  std::size_t count = 1;
-  for (std::size_t a = 0; a < ranges.size(); ++a) count *= steps;
-  Places places(ranges.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    std::size_t rest = i;
-    for (std::size_t a = 0; a < ranges.size(); ++a, rest /= steps) {
-      const double share = static_cast<double>(rest % steps) / static_cast<double>(steps - 1);
-      places[a].push_back(static_cast<float>(ranges[a].from + share * (ranges[a].to - ranges[a].from)));
-    }
-  }
-  return places;
-}
-
-std::function<std::vector<double>(const Places&)> in_double(const Symbolic& formula,
-                                                            const std::vector<std::string>& variables) {
-  return [=](const Places& places) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < places.front().size(); ++i) {
-      values.push_back(evaluate<double>(formula, [&](const std::string& name) -> double {
-        const auto found = std::ranges::find(variables, name);
-        return places.at(static_cast<std::size_t>(found - variables.begin())).at(i);
-      }));
-    }
-    return values;
-  };
-}
 
 /// Whether a language has the functions of a formula. An integral has no code at all.
 bool has_code(const ShaderFunction& function, Language language) {
@@ -82,8 +52,15 @@ void append(FormsToTime& all, const StudyComparison& comparison, TimedTarget hea
   std::vector<FormToTime> added;
   const std::size_t place = all.targets.size();
   if (comparison.study.rows == nullptr) {
-    target.places = grid_over(target.ranges);
-    target.truth = in_double(read.target, comparison.variables);
+    // About as many as the catalogue's grid has.
+    const double steps = std::pow(16384, 1 / static_cast<double>(target.ranges.size())) + 0.5;
+    target.places =
+        grid_over(target.ranges, std::vector(target.ranges.size(), static_cast<std::size_t>(steps)));
+    target.truth = [tape = tape_of(read.target, comparison.variables)](const Places& places) {
+      std::vector<std::vector<double>> coordinates;
+      for (const std::vector<float>& axis : places) coordinates.emplace_back(axis.begin(), axis.end());
+      return values_at(tape, coordinates, {});
+    };
     const ShaderFunction itself{form_name, comparison.variables, read.target};
     const TimedForm row{.form = "target", .label = "the target: " + comparison.study.target};
     if (has_code(itself, language)) all.forms.push_back({place, row, "target", itself});
@@ -107,6 +84,20 @@ void append(FormsToTime& all, const StudyComparison& comparison, TimedTarget hea
 }
 
 }  // namespace
+
+Places grid_over(const std::vector<Range>& ranges, const std::vector<std::size_t>& steps) {
+  std::size_t count = 1;
+  for (const std::size_t in_axis : steps) count *= in_axis;
+  Places places(ranges.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t rest = i;
+    for (std::size_t a = 0; a < ranges.size(); rest /= steps[a++]) {
+      const double share = static_cast<double>(rest % steps[a]) / static_cast<double>(steps[a] - 1);
+      places[a].push_back(static_cast<float>(ranges[a].from + share * (ranges[a].to - ranges[a].from)));
+    }
+  }
+  return places;
+}
 
 FormsToTime study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons,
                         Language language) {

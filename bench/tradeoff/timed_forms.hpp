@@ -22,6 +22,9 @@ struct Range {
 /// The floats of each argument, the same number for all.
 using Places = std::vector<std::vector<float>>;
 
+/// The floats of a grid over the ranges with their ends, with so many steps in each.
+Places grid_over(const std::vector<Range>& ranges, const std::vector<std::size_t>& steps);
+
 /// What forms approximate.
 struct FormTarget {
   TimedTarget heading;
@@ -43,6 +46,11 @@ struct FormsToTime {
   std::vector<FormTarget> targets;
   std::vector<FormToTime> forms;  ///< by target; those of one shape follow each other
   bool are_of_a_study = false;
+
+  /// Whether a form has the time of the one before it.
+  bool is_timed_before(std::size_t i) const {
+    return i > 0 && forms[i].target == forms[i - 1].target && forms[i].shape == forms[i - 1].shape;
+  }
 };
 
 /// The name of each function.
@@ -64,8 +72,8 @@ enum class Exp2Kinds {
 
 /// The forms of the catalogue for these targets, or for all of them. Forms of several lights are left out:
 /// they are sums of one light. Errors are the largest in float on a dense grid, against the target in double.
-FormsToTime catalogue_forms(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
-                            Exp2Kinds exp2);
+FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
+                            const std::vector<std::string>& targets, Exp2Kinds exp2);
 
 /// The forms of a study and its targets. Errors are those of exact arithmetic. Throws UserError for a form
 /// that has no code in that language, and if there is nothing to time because no fit converged and nothing

@@ -41,8 +41,10 @@ struct Samples {
   std::vector<double> ns;  ///< per element, one number per round
 };
 
-/// The number of calls that take at least `seconds` by that clock: doubled until they do, at most 2^30.
-long calls_that_take(const Work& work, double seconds, const Clock& clock);
+/// The smallest power of two of repeats that take at least `seconds`; at most `most`. `run` repeats its work
+/// so often and returns the seconds. The number is doubled from one on, so no run takes much longer than
+/// twice `seconds`, or than one repeat.
+long repeats_that_take(double seconds, long most, const std::function<double(long)>& run);
 
 /// Times all of the work; every other round goes backwards. Between visits, `between` gets the finished
 /// share, from 0 to 1. It may end the work by throwing.

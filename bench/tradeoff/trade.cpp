@@ -3,9 +3,21 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace shadefit::bench {
+
+Spread spread_of(std::vector<double> samples) {
+  if (samples.empty()) throw std::invalid_argument("no samples have no median");
+  std::ranges::sort(samples);
+  const auto quantile = [&](double share) {
+    const double rank = share * static_cast<double>(samples.size() - 1);
+    const auto below = static_cast<std::size_t>(rank), above = std::min(below + 1, samples.size() - 1);
+    return samples[below] + (rank - static_cast<double>(below)) * (samples[above] - samples[below]);
+  };
+  return {quantile(0.5), quantile(0.25), quantile(0.75)};
+}
 
 std::string this_cpu() {
   std::ifstream cpuinfo("/proc/cpuinfo");

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/tradeoff/statistics.hpp"
-
 /// Run time against error: the measurements of every form, and derived values.
 namespace shadefit::bench {
 
@@ -21,6 +19,19 @@ struct Machine {
 
 /// The name of this machine's processor, or "unknown".
 std::string this_cpu();
+
+/// The median and the quartiles of samples.
+struct Spread {
+  double median;
+  double lower_quartile, upper_quartile;
+
+  /// The interquartile range: the width of the middle half of the samples.
+  double width() const { return upper_quartile - lower_quartile; }
+};
+
+/// Median and quartiles of at least one sample, linear between two of them. Throws std::invalid_argument for
+/// none.
+Spread spread_of(std::vector<double> samples);
 
 /// A form with one set of its constants, its time and its error.
 struct TimedForm {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,10 @@
 
 /// The expression around numbers of a source text.
 namespace shadefit::lint {
+
+/// A text with comments as a program, byte for byte at the same places: the signs of comments are blanks, and
+/// a semicolon ends the code before them.
+std::string comment_as_program(std::string_view text);
 
 /// The expressions around the bytes [begin, end): from the smallest one with balanced parentheses to the
 /// whole right side of the statement.

@@ -66,6 +66,14 @@ bool is_one_edit(std::string_view a, std::string_view b) {
   return a.substr(first + 1) == b.substr(first + 1) || is_swapped(a, b, first);
 }
 
+/// Whether one of the functions above makes these fewer digits of the published ones.
+bool is_shortened_by(Digits (*shorten)(const Digits&, std::size_t), const Digits& found,
+                     const Digits& published) {
+  const std::size_t count = found.text.size();
+  return 0 < count && count < published.text.size() && have_near_exponents(found, published) &&
+         found == shorten(published, count);
+}
+
 }  // namespace
 
 bool have_near_exponents(const Digits& found, const Digits& published) {
@@ -86,15 +94,11 @@ double number_of(const Digits& digits) {
 }
 
 bool is_rounded(const Digits& found, const Digits& published) {
-  const std::size_t count = found.text.size();
-  return 0 < count && count < published.text.size() && have_near_exponents(found, published) &&
-         found == rounded_to(published, count);
+  return is_shortened_by(rounded_to, found, published);
 }
 
 bool is_cut(const Digits& found, const Digits& published) {
-  const std::size_t count = found.text.size();
-  return 0 < count && count < published.text.size() && have_near_exponents(found, published) &&
-         found == cut_to(published, count);
+  return is_shortened_by(cut_to, found, published);
 }
 
 bool is_shortened(const Digits& found, const Digits& published) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <span>
 #include <tuple>
@@ -12,6 +13,16 @@
 
 namespace shadefit::lint {
 namespace {
+
+bool is_simple_fraction(double value, double slack) {
+  constexpr int largest_denominator = 16, largest_numerator = 64;
+  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
+    const double numerator = value * denominator, whole = std::round(numerator);
+    if (whole > largest_numerator) return false;
+    if (whole >= 1 && std::abs(numerator - whole) <= slack * whole) return true;
+  }
+  return false;
+}
 
 KnownConstant constant_of(std::string_view name, std::string_view printed) {
   const double value = *parse_number(printed);
@@ -175,6 +186,18 @@ void mark_known(std::vector<KnownSet>& sets) {
 }
 
 }  // namespace
+
+bool is_common_number(double value) {
+  namespace numbers = std::numbers;
+  if (value == 0) return true;
+  // Half a unit of the seventh digit, relative to the number.
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 6);
+  const double slack = 0.5 * unit / std::abs(value);
+  for (const double factor :
+       {1.0, numbers::pi, numbers::inv_pi, numbers::sqrt2, numbers::ln2, 1 / numbers::ln2})
+    if (is_simple_fraction(std::abs(value) / factor, slack)) return true;
+  return false;
+}
 
 std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
   std::vector<KnownSet> sets;

@@ -67,8 +67,9 @@ bool stands_alone(std::string_view text, const Literal& literal) {
 bool have_same_decimals(const ScannedText& text, std::size_t first, std::size_t last) {
   std::set<std::size_t> counts;
   for (std::size_t i = first; i <= last; ++i) {
-    const auto number = notation_at(text.text.substr(text.literals[i].offset, text.literals[i].length));
-    counts.insert(number && number->exponent.empty() ? number->fraction.size() : 0);
+    const Notation number =
+        parts_of_number(text.text.substr(text.literals[i].offset, text.literals[i].length));
+    counts.insert(number.exponent.empty() ? number.fraction.size() : 0);
   }
   return counts.size() == 1 && *counts.begin() > 0;
 }

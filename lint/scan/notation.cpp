@@ -90,13 +90,6 @@ Notation parts_of_number(std::string_view text) {
   return number;
 }
 
-std::optional<Notation> notation_at(std::string_view text) {
-  const Notation number = parts_of_number(text);
-  if (number.whole.empty() && number.fraction.empty()) return std::nullopt;
-  if (number.length > most_digits || !is_suffix(number.suffix)) return std::nullopt;
-  return number;
-}
-
 bool is_before_power_of_ten(std::string_view text, std::size_t end) {
   constexpr std::size_t looked_at = 16;
   const std::string_view rest = line_at(text.substr(end, looked_at), 0);

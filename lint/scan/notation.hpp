@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,10 +22,6 @@ Notation parts_of_number(std::string_view text);
 
 /// Whether these letters may follow a number: f, h, l, f32, f64. Any others make a word of it.
 bool is_suffix(std::string_view letters);
-
-/// Reads the number that a text begins with, without a sign. Empty if there is none, if it is hexadecimal, if
-/// letters other than a suffix follow, or if it is longer than `most_digits`.
-std::optional<Notation> notation_at(std::string_view text);
 
 /// Whether a factor such as "\times 10^{-13}" follows behind a number that ends there: a published number may
 /// include it.

@@ -248,7 +248,7 @@ class Search {
         tree_.skipped.messages.push_back(
             fmt::format("'{}' has {} bytes, more than {}", place.name, size, largest_source));
     } else if (named.is_sure || is_shader(place, size)) {
-      tree_.files.push_back({place.path(), place.name, named.language, size});
+      tree_.files.push_back({place.path(), place.name, named.language});
     }
   }
 

@@ -35,8 +35,7 @@ void add(SkippedFiles& sum, const SkippedFiles& part) {
 std::optional<std::string> read_source(const SourceFile& file, SkippedFiles& skipped) {
   std::string text;
   try {
-    // It may have grown since it was found, but is still no table.
-    text = read_bounded(file.path, std::max(file.size, largest_source));
+    text = read_bounded(file.path, largest_source);  // it may have grown since it was found
   } catch (const UserError& error) {
     ++skipped.unreadable;
     skipped.messages.emplace_back(error.what());

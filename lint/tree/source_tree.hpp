@@ -20,7 +20,6 @@ struct SourceFile {
   std::string
       name;  ///< as shown: PATH as given, or relative to the current folder if below it; '/' between folders
   SourceLanguage language;
-  std::uintmax_t size;  ///< in bytes, when it was found
 };
 
 /// What was not read, by reason.

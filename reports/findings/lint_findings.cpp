@@ -102,48 +102,37 @@ std::string fingerprint_of(const LintedSite& site, const std::filesystem::path& 
   return fmt::format("{:08x}{:08x}", crc_of(text), crc_of(fmt::format("{}\n{}", count, text)));
 }
 
-/// A site that is shown, and whether the baseline has it.
-struct ShownSite {
-  const LintedSite& site;
-  std::string fingerprint;
-  bool is_known;
-};
-
-std::vector<ShownSite> shown_sites(const lint::LintedTree& tree, const LintReportOptions& options) {
-  std::vector<ShownSite> shown;
-  std::map<std::string, int> seen;
-  for (const LintedSite& site : tree.sites) {
-    if (site.grade == Grade::right && !options.all) continue;
-    std::string fingerprint = fingerprint_of(site, options.project, seen);
-    const bool is_known = options.known.contains(fingerprint);
-    shown.push_back({site, std::move(fingerprint), is_known});
-  }
-  return shown;
+bool is_shown(const LintedSite& site, const LintReportOptions& options) {
+  return site.grade != Grade::right || options.all;
 }
 
 }  // namespace
 
 findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintReportOptions& options) {
   findings::FindingReport report{"lint", lint_rules(), {}, tree.files, "files"};
-  for (const auto& [site, fingerprint, is_known] : shown_sites(tree, options)) {
+  std::map<std::string, int> seen;
+  for (const LintedSite& site : tree.sites) {
+    if (!is_shown(site, options)) continue;
     findings::Finding& finding = report.findings.emplace_back();
     finding.rule = rule_of(site);
     finding.level = level_of(site, options.fail_on);
     finding.message = message_of(site);
     finding.place = {site.file, site.begin.line, site.begin.column, site.end.line, site.end.column};
-    finding.fingerprint = fingerprint;
+    finding.fingerprint = fingerprint_of(site, options.project, seen);
     finding.suppressed = site.ignored;
-    finding.is_known = is_known;
+    finding.is_known = options.known.contains(finding.fingerprint);
   }
   return report;
 }
 
-LintAdvice lint_advice(const lint::LintedTree& tree, const LintReportOptions& options) {
+LintAdvice lint_advice(const lint::LintedTree& tree, const LintReportOptions& options,
+                       const findings::FindingReport& report) {
   LintAdvice advice;
   Grade worst = Grade::right, to_fix = Grade::right;
   bool has_pin = false;
-  for (const auto& [site, fingerprint, is_known] : shown_sites(tree, options)) {
-    if (is_known || site.ignored || !site.fault.empty()) continue;
+  auto finding = report.findings.begin();
+  for (const LintedSite& site : tree.sites) {
+    if (!is_shown(site, options) || finding++->is_known || site.ignored || !site.fault.empty()) continue;
     if (advice.id.empty() || site.grade > worst) advice.id = site.id;
     worst = std::max(worst, site.grade);
     const bool is_fixable = std::ranges::any_of(site.numbers, [](const LintedNumber& number) {

@@ -25,12 +25,13 @@ struct LintReportOptions {
 /// `typo` and `outdated`, else note. A comment is a note.
 findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintReportOptions& options);
 
-/// What to look at first: the id of the worst site that is shown, and the value of --fix that rewrites
-/// numbers. Empty where there is nothing to do.
+/// What to look at first of these findings of the tree: the id of the worst site that is shown, and the value
+/// of --fix that rewrites numbers. Empty where there is nothing to do.
 struct LintAdvice {
   std::string id, fix;
 };
-LintAdvice lint_advice(const lint::LintedTree& tree, const LintReportOptions& options);
+LintAdvice lint_advice(const lint::LintedTree& tree, const LintReportOptions& options,
+                       const findings::FindingReport& report);
 
 /// "not read: 1 folder of others, 2 minified". Empty if nothing was left out.
 std::string skipped_words(const lint::SkippedFiles& skipped);

@@ -12,14 +12,14 @@ constexpr std::uint32_t glb_magic = 0x46546C67;  // "glTF"
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
 /// The little-endian 32-bit number at `offset`; four bytes must be available.
-std::uint32_t word_at(Bytes bytes, std::size_t offset) {
+std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
   std::uint32_t word = 0;
-  for (std::size_t i = 4; i-- > 0;) word = word << 8 | bytes[offset + i];
+  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[offset + i]);
   return word;
 }
 
 /// The part of the bytes that the header declares as the file.
-Bytes declared_part(Bytes bytes) {
+std::string_view declared_part(std::string_view bytes) {
   if (bytes.size() < glb_header_size) {
     throw UserError(
         fmt::format("byte 0: a GLB file begins with {} bytes, and has {}", glb_header_size, bytes.size()));
@@ -31,13 +31,13 @@ Bytes declared_part(Bytes bytes) {
     throw UserError(
         fmt::format("byte 8: the length {} is not within the file's {} bytes", length, bytes.size()));
   }
-  return bytes.first(length);
+  return bytes.substr(0, length);
 }
 
 }  // namespace
 
-Glb parse_glb(Bytes bytes) {
-  const Bytes file = declared_part(bytes);
+Glb parse_glb(std::string_view bytes) {
+  const std::string_view file = declared_part(bytes);
   Glb glb;
   bool is_first = true;
   for (std::size_t offset = glb_header_size; offset < file.size();) {
@@ -49,10 +49,10 @@ Glb parse_glb(Bytes bytes) {
       throw UserError(fmt::format("byte {}: a chunk of {} bytes goes past the end, {} bytes on", offset,
                                   length, file.size() - begin));
     }
-    const Bytes chunk = file.subspan(begin, length);
+    const std::string_view chunk = file.substr(begin, length);
     if (is_first != (kind == json_chunk))
       throw UserError(fmt::format("byte {}: the first chunk, and no other, has to be JSON", offset));
-    if (is_first) glb.json = text_of(chunk);
+    if (is_first) glb.json = chunk;
     if (kind == binary_chunk && !glb.binary) glb.binary = chunk;
     is_first = false;
     offset = begin + length;

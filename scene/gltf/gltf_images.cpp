@@ -24,7 +24,7 @@ std::optional<std::filesystem::path> file_of_uri(const JsonPlace& place,
 
 }  // namespace
 
-GltfImages::GltfImages(const JsonPlace& root, const std::optional<Bytes>& binary,
+GltfImages::GltfImages(const JsonPlace& root, const std::optional<std::string_view>& binary,
                        const std::filesystem::path& file)
     : root_(root), binary_(binary), folder_(folder_of(file)) {}
 
@@ -59,14 +59,12 @@ TextureReading GltfImages::read_image(const JsonPlace& image, std::span<const Ch
     if (std::string reason = reason_unknown(*source); !reason.empty()) return {{}, std::move(reason)};
   }
   const std::string encoded = place ? bytes_of_view(*place) : content_of(*uri);
-  if (picture_format(bytes_of(encoded)) == PictureFormat::other) {
+  if (picture_format(encoded) == PictureFormat::other) {
     const bool is_file = uri && !is_data(text_at(*uri));
     const std::string name = is_file ? fmt::format("'{}'", text_at(*uri)) : image.pointer;
     return {{}, name + " is neither PNG nor JPEG"};
   }
-  return at_place(words_of(image), [&] {
-    return TextureReading{pictures_.ranges(bytes_of(encoded), channels), {}};
-  });
+  return at_place(words_of(image), [&] { return TextureReading{pictures_.ranges(encoded, channels), {}}; });
 }
 
 std::string GltfImages::content_of(const JsonPlace& uri) const {
@@ -103,7 +101,7 @@ std::string GltfImages::bytes_of_view(const JsonPlace& view) {
     return at_place(words_of(view), [&] { return read_part(*file, offset, length); });
   if (!uri && !(binary_ && buffer.pointer == "/buffers/0"))
     refuse(buffer, "it has neither a uri nor a chunk BIN");
-  const std::string_view content = uri ? data_of_buffer(buffer, text_at(*uri)) : text_of(*binary_);
+  const std::string_view content = uri ? data_of_buffer(buffer, text_at(*uri)) : *binary_;
   require_within(content.size());
   return std::string(content.substr(offset, length));
 }

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "scene/materials/bytes.hpp"
 #include "scene/materials/json_place.hpp"
 #include "scene/materials/texture.hpp"
 
@@ -26,7 +25,8 @@ struct TextureReading {
 class GltfImages {
  public:
   /// `binary` is the chunk BIN of a .glb, which must outlive this object, like the document.
-  GltfImages(const JsonPlace& root, const std::optional<Bytes>& binary, const std::filesystem::path& file);
+  GltfImages(const JsonPlace& root, const std::optional<std::string_view>& binary,
+             const std::filesystem::path& file);
 
   /// The texture that a texture info names: an object with an index. A missing or remote file, another format
   /// and a texture of an extension are unknown; damaged pictures, indices out of range, and names outside the
@@ -43,7 +43,7 @@ class GltfImages {
   const std::string& data_of_buffer(const JsonPlace& buffer, std::string_view uri);
 
   JsonPlace root_;
-  std::optional<Bytes> binary_;
+  std::optional<std::string_view> binary_;
   std::filesystem::path folder_;
   PictureReader pictures_;
   std::map<std::pair<std::string, std::vector<Channel>>, TextureReading> read_;  ///< by pointer and channels

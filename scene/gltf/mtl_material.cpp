@@ -167,9 +167,9 @@ Range MtlMapReader::read(const ScalarMap& map, std::string_view what, std::vecto
   if (known != read_.end()) return known->second;
   if (!std::filesystem::exists(path, ignored)) return unknown("is missing");
   const std::string encoded = read_bounded(path, most_picture_bytes);
-  if (picture_format(bytes_of(encoded)) == PictureFormat::other) return unknown("is neither PNG nor JPEG");
+  if (picture_format(encoded) == PictureFormat::other) return unknown("is neither PNG nor JPEG");
   const std::vector<Range> ranges = at_place(fmt::format("'{}'", path.string()), [&] {
-    return pictures_.ranges(bytes_of(encoded), {&map.channel, 1});
+    return pictures_.ranges(encoded, {&map.channel, 1});
   });
   return read_.emplace(key, ranges.front()).first->second;
 }

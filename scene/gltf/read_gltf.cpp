@@ -123,7 +123,7 @@ void read_lights(const JsonPlace& root, Scene& scene) {
       bright, defined));
 }
 
-Scene read_document(const JsonPlace& root, const std::optional<Bytes>& binary,
+Scene read_document(const JsonPlace& root, const std::optional<std::string_view>& binary,
                     const std::filesystem::path& file, const Conventions& conventions) {
   require_version(root);
   require_known_extensions(root);
@@ -168,7 +168,7 @@ Scene read_gltf(std::string_view content, const std::filesystem::path& file, con
   const std::string name = file.string(), quoted_name = fmt::format("'{}'", name);
   Glb parts{content, std::nullopt};
   if (has_extension(file, ".glb")) {
-    parts = at_place(quoted_name, [&] { return parse_glb(bytes_of(content)); });
+    parts = at_place(quoted_name, [&] { return parse_glb(content); });
   }
   if (parts.json.size() > most_json_bytes) {
     throw UserError(fmt::format("{}: its JSON has {} bytes, more than the {} that it may have", quoted_name,

@@ -23,14 +23,14 @@ constexpr int most_scans = 64;
 
 /// The state of decoding a picture with libjpeg, and its error.
 struct JpegReading {
-  Bytes encoded;
+  std::string_view encoded;
   jpeg_decompress_struct decoder{};
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
   std::jmp_buf back{};
   std::array<char, JMSG_LENGTH_MAX> error{};
 
-  explicit JpegReading(Bytes bytes) : encoded(bytes) {}
+  explicit JpegReading(std::string_view bytes) : encoded(bytes) {}
   ~JpegReading() { jpeg_destroy_decompress(&decoder); }
   JpegReading(const JpegReading&) = delete;
   JpegReading& operator=(const JpegReading&) = delete;
@@ -69,7 +69,8 @@ bool begin_jpeg(JpegReading& reading) {
   jpeg_create_decompress(&reading.decoder);
   reading.decoder.client_data = &reading;
   reading.decoder.progress = &reading.progress;
-  jpeg_mem_src(&reading.decoder, reading.encoded.data(), reading.encoded.size());
+  jpeg_mem_src(&reading.decoder, reinterpret_cast<const unsigned char*>(reading.encoded.data()),
+               reading.encoded.size());
   jpeg_read_header(&reading.decoder, TRUE);
   return true;
 }
@@ -89,7 +90,7 @@ bool take_jpeg_rows(JpegReading& reading, std::uint8_t* row, std::span<ChannelCo
 
 }  // namespace
 
-void take_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken) {
+void take_jpeg(std::string_view encoded, const SizeCheck& check, std::span<ChannelCodes> taken) {
   JpegReading reading(encoded);
   reading.decoder.err = jpeg_std_error(&reading.errors);
   reading.decoder.client_data = &reading;

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "fit/support/user_error.hpp"
@@ -14,14 +14,14 @@ namespace {
 
 /// The state of decoding a picture with libpng, and its error.
 struct PngReading {
-  Bytes rest;  ///< the unread bytes
+  std::string_view rest;  ///< the unread bytes
   std::array<char, 128> error{};
   png_structp png = nullptr;
   png_infop info = nullptr;
   PictureSize size{};
   std::size_t components = 0;
 
-  explicit PngReading(Bytes encoded) : rest(encoded) {}
+  explicit PngReading(std::string_view encoded) : rest(encoded) {}
   ~PngReading() { png_destroy_read_struct(&png, &info, nullptr); }
   PngReading(const PngReading&) = delete;
   PngReading& operator=(const PngReading&) = delete;
@@ -38,8 +38,8 @@ void pass_over_png_warning(png_structp, png_const_charp) {}
 void give_png_bytes(png_structp png, png_bytep wanted, std::size_t number) {
   auto& reading = *static_cast<PngReading*>(png_get_io_ptr(png));
   if (number > reading.rest.size()) png_error(png, "the file ends before the picture does");
-  std::copy_n(reading.rest.begin(), number, wanted);
-  reading.rest = reading.rest.subspan(number);
+  std::memcpy(wanted, reading.rest.data(), number);
+  reading.rest.remove_prefix(number);
 }
 
 // libpng leaves the two functions below by longjmp, so they must hold no object with a destructor.
@@ -78,7 +78,7 @@ bool take_png_rows(PngReading& reading, std::uint8_t* row, std::span<ChannelCode
 
 }  // namespace
 
-void take_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken) {
+void take_png(std::string_view encoded, const SizeCheck& check, std::span<ChannelCodes> taken) {
   PngReading reading(encoded);
   reading.png =
       png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, end_png_reading, pass_over_png_warning);

@@ -47,7 +47,7 @@ inline void take_texels(const std::uint8_t* texels, std::size_t number, std::siz
 // Both decode row by row, so they need memory for one row only; but a progressive JPEG needs six bytes per
 // texel. Both throw UserError with the decoder's words.
 
-void take_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken);
-void take_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCodes> taken);
+void take_png(std::string_view encoded, const SizeCheck& check, std::span<ChannelCodes> taken);
+void take_jpeg(std::string_view encoded, const SizeCheck& check, std::span<ChannelCodes> taken);
 
 }  // namespace shadefit::scene

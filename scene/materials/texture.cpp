@@ -2,20 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "fit/support/user_error.hpp"
 #include "scene/materials/texels.hpp"
 
 namespace shadefit::scene {
 
-PictureFormat picture_format(Bytes encoded) {
-  const std::string_view text = text_of(encoded);
-  if (text.starts_with("\x89PNG\r\n\x1A\n")) return PictureFormat::png;
-  return text.starts_with("\xFF\xD8\xFF") ? PictureFormat::jpeg : PictureFormat::other;
+PictureFormat picture_format(std::string_view encoded) {
+  if (encoded.starts_with("\x89PNG\r\n\x1A\n")) return PictureFormat::png;
+  return encoded.starts_with("\xFF\xD8\xFF") ? PictureFormat::jpeg : PictureFormat::other;
 }
 
-std::vector<Range> PictureReader::ranges(Bytes encoded, std::span<const Channel> channels) {
+std::vector<Range> PictureReader::ranges(std::string_view encoded, std::span<const Channel> channels) {
   const SizeCheck check = [&](PictureSize size) {
     // Both formats store width and height in at most 31 bits, so the product is exact.
     const std::uint64_t pixels = size.width * size.height;

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "scene/materials/bytes.hpp"
 #include "scene/materials/material.hpp"
 
 /// The ranges of the channels of a picture: all that a material needs from a texture.
@@ -28,7 +28,7 @@ inline constexpr std::uint64_t most_scene_pixels = std::uint64_t{4} << 30;
 
 /// The format of a picture, by its first bytes.
 enum class PictureFormat { png, jpeg, other };
-PictureFormat picture_format(Bytes encoded);
+PictureFormat picture_format(std::string_view encoded);
 
 /// Reads the pictures of one scene and limits their pixels.
 class PictureReader {
@@ -40,7 +40,7 @@ class PictureReader {
   /// is applied. The size is read first, and a picture that is too large is not decoded. Throws UserError for
   /// a file that is neither PNG nor JPEG, for a damaged one, and for more pixels than `most_pixels` or than
   /// remain for the scene.
-  std::vector<Range> ranges(Bytes encoded, std::span<const Channel> channels);
+  std::vector<Range> ranges(std::string_view encoded, std::span<const Channel> channels);
 
  private:
   std::uint64_t pixels_left_;

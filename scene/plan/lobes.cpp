@@ -16,32 +16,16 @@ double next_power(double power) {
   return std::max(power * ratio, power + narrowest);
 }
 
-/// Lobes by their largest and least power, each with its largest factor.
-class LobeCollection {
- public:
-  void add(const Material& material) {
-    const Range range = material.power;
-    if (range.is_constant()) return add(range, material);
-    for (double low = 0; low < range.most; low = next_power(low)) {
-      if (next_power(low) <= range.least) continue;
-      add({std::max(low, range.least), std::min(next_power(low), range.most)}, material);
-    }
+/// A power that is constant, or the steps of a range.
+std::vector<Range> steps_of(const Range& range) {
+  if (range.is_constant()) return {range};
+  std::vector<Range> steps;
+  for (double low = 0; low < range.most; low = next_power(low)) {
+    if (next_power(low) > range.least)
+      steps.push_back({std::max(low, range.least), std::min(next_power(low), range.most)});
   }
-
-  std::vector<WeightedPower> lobes() const {
-    std::vector<WeightedPower> all;
-    for (const auto& [power, factor] : factors_) all.push_back({{power.second, power.first}, factor});
-    return all;
-  }
-
- private:
-  void add(const Range& power, const Material& material) {
-    double& factor = factors_[{power.most, power.least}];
-    factor = std::max(factor, largest_factor(material, power.most));
-  }
-
-  std::map<std::pair<double, double>, double> factors_;
-};
+  return steps;
+}
 
 }  // namespace
 
@@ -68,17 +52,20 @@ double Lobes::largest_factor() const {
 
 Lobes lobes_of(const std::vector<Material>& materials, const std::vector<bool>& has_lobe) {
   Lobes lobes;
-  LobeCollection collection;
+  std::map<std::pair<double, double>, double> factors;  // by the largest and the least power
   for (std::size_t i = 0; i < materials.size(); ++i) {
     if (!has_lobe[i]) continue;
     const Material& material = materials[i];
-    collection.add(material);
+    for (const Range& power : steps_of(material.power)) {
+      double& factor = factors[{power.most, power.least}];
+      factor = std::max(factor, largest_factor(material, power.most));
+    }
     const auto& f0 = material.f0;
     lobes.textures.insert(material.power_texture);
     lobes.has_schlick = lobes.has_schlick || material.fresnel == FresnelTerm::schlick;
     lobes.is_coloured = lobes.is_coloured || material.has_unread_colours || f0[0] != f0[1] || f0[1] != f0[2];
   }
-  lobes.all = collection.lobes();
+  for (const auto& [power, factor] : factors) lobes.all.push_back({{power.second, power.first}, factor});
   return lobes;
 }
 

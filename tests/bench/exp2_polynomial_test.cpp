@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,32 +13,68 @@
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
+#include "fit/bounds/rounding_bound.hpp"
 #include "fit/scalars/binary_logarithm.hpp"
-#include "tests/bench/exp2_bounds.hpp"
 #include "tests/bench/exp2_choices.hpp"
 #include "tests/bench/exponent_bits.hpp"
 
 namespace shadefit {
 namespace {
 
-using testing::exp2_bounds;
-using testing::Exp2Bounds;
 using testing::for_each_degree;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-const std::vector<Exp2Bounds>& bounds() {
-  static const std::vector<Exp2Bounds> all = exp2_bounds();
-  return all;
+/// The polynomial of these coefficients as a study of 2^r, its error relative.
+StudySubject approximation_of(const std::vector<std::string>& coefficients) {
+  StudySubject subject{
+      {.target = "exp2(r)", .form = "", .over = {{"r", "-1/2", "1/2"}}, .error = Error::relative}};
+  std::string end;
+  for (const std::string& coefficient : coefficients) {
+    const std::string name = fmt::format("c{}", subject.parameters.size() + 1);
+    subject.parameters.emplace_back(name, coefficient);
+    subject.study.form += (subject.study.form.empty() ? "1 + r (" : " + r (") + name;
+    end += ")";
+  }
+  subject.study.form += end;
+  return subject;
 }
 
-/// The proven relative bounds of the polynomial and of its evaluation.
-double proven(const Exp2Coefficients& polynomial) {
-  for (const Exp2Bounds& bound : bounds()) {
-    // the product of two errors is negligible
-    if (bound.polynomial == &polynomial) return bound.upper + bound.rounding * (1 + bound.upper);
+/// The printed digits, and all digits of what they round to in a format.
+template <class Format>
+std::array<StudySubject, 2> approximations_of(const Exp2Coefficients& polynomial) {
+  std::vector<std::string> printed, rounded;
+  for (int i = 0; i < polynomial.degree; ++i) {
+    printed.emplace_back(polynomial.printed[static_cast<std::size_t>(i)]);
+    rounded.push_back(fmt::format("{:.80g}", static_cast<double>(constant<Format>(printed.back()))));
   }
-  return 0;
+  return {approximation_of(printed), approximation_of(rounded)};
+}
+
+/// The largest |p(r)/2^r - 1|, whichever of both is worse.
+struct Bounds {
+  double lower = 0, upper = 0;
+};
+
+template <class Format>
+Bounds proven_error(const Exp2Coefficients& polynomial) {
+  Bounds bounds;
+  for (const StudySubject& subject : approximations_of<Format>(polynomial)) {
+    const StudyCertificate proof = certify_study(subject, 1e-5).certificate;
+    bounds = {std::max(bounds.lower, proof.lower), std::max(bounds.upper, proof.upper)};
+  }
+  return bounds;
+}
+
+/// Three half ulps bound the rounding of Horner's rule.
+template <class Format>
+constexpr double rounding = 1.5 * static_cast<double>(std::numeric_limits<Format>::epsilon());
+
+/// The proven relative bounds of the polynomial and of its evaluation.
+template <class Format>
+double proven(const Exp2Coefficients& polynomial) {
+  const double upper = proven_error<Format>(polynomial).upper;
+  return upper + rounding<Format> * (1 + upper);  // the product of two errors is negligible
 }
 
 // The best: the error has its largest size at one place more than the polynomial has coefficients, and
@@ -66,17 +104,28 @@ TEST(Exp2Polynomial, HasTheBestCoefficients) {
 }
 
 // The stated bounds are the proven ones, rounded up.
+template <class Format>
+void expect_stated_bounds() {
+  for_each_degree<Format>([]<class P>(P) {
+    const auto stated = constant<double>(P::record.bound);
+    const Bounds bounds = proven_error<Format>(P::record);
+    EXPECT_LE(bounds.upper, stated) << "degree " << P::record.degree;
+    EXPECT_GE(bounds.lower * 1.0002, stated) << "degree " << P::record.degree;
+  });
+}
+
 TEST(Exp2Proof, StatesItsBounds) {
-  ASSERT_EQ(bounds().size(), 10U);
-  for (const Exp2Bounds& bound : bounds()) {
-    const auto stated = constant<double>(bound.polynomial->bound);
-    EXPECT_LE(bound.upper, stated) << bound.format << " " << bound.polynomial->degree;
-    EXPECT_GE(bound.lower * 1.0002, stated) << bound.format << " " << bound.polynomial->degree;
-    // three half ulps bound the rounding of Horner's rule
-    const double half_ulp = bound.format == "float" ? 0x1p-24 : 0x1p-53;
-    EXPECT_LE(bound.rounding, 3 * half_ulp);
-    EXPECT_GE(bound.rounding, half_ulp);
-  }
+  expect_stated_bounds<float>();
+  expect_stated_bounds<double>();
+}
+
+// In doubles each rounding is as much smaller.
+TEST(Exp2Proof, BoundsItsRounding) {
+  for_each_degree<float>([]<class P>(P) {
+    const double bound = bound_of_rounding<FloatFormat>(approximations_of<float>(P::record)[1]);
+    EXPECT_LE(bound, rounding<float>) << "degree " << P::record.degree;
+    EXPECT_GE(bound, rounding<float> / 3) << "degree " << P::record.degree;
+  });
 }
 
 // The compiler reads a coefficient like the library.
@@ -180,7 +229,7 @@ TEST(Exp2Polynomial, KeepsItsBoundAtEveryFloatOfABinade) {
   for_each_degree<float>([]<class P>(P) {
     const auto from = std::bit_cast<std::uint32_t>(-1.0F), to = std::bit_cast<std::uint32_t>(-2.0F);
     const double found = worst<P>(from, to, every);
-    EXPECT_LE(found, proven(P::record)) << "degree " << P::record.degree;
+    EXPECT_LE(found, proven<float>(P::record)) << "degree " << P::record.degree;
     // and comes near it: the bound is not too loose
     EXPECT_GE(found, 0.5 * constant<double>(P::record.bound));
   });
@@ -190,17 +239,19 @@ TEST(Exp2Polynomial, KeepsItsBoundAtEveryFloatOfABinade) {
 TEST(Exp2Polynomial, KeepsItsBoundInAllBinades) {
   for_each_degree<float>([]<class P>(P) {
     constexpr std::uint32_t sign = 0x80000000U, step = 4099;  // a prime: all low bits occur
-    EXPECT_LE(worst<P>(0, std::bit_cast<std::uint32_t>(128.0F), step), proven(P::record));
-    EXPECT_LE(worst<P>(sign, std::bit_cast<std::uint32_t>(-126.0F), step), proven(P::record));
+    const double most = proven<float>(P::record);
+    EXPECT_LE(worst<P>(0, std::bit_cast<std::uint32_t>(128.0F), step), most);
+    EXPECT_LE(worst<P>(sign, std::bit_cast<std::uint32_t>(-126.0F), step), most);
   });
 }
 
 TEST(Exp2Polynomial, KeepsItsBoundInDoubles) {
   const RootsOfTwo<Decimal50> roots;
   for_each_degree<double>([&]<class P>(P) {
+    const double most = proven<double>(P::record);
     for (double x = -1022; x < 1024; x += 13.0390625) {  // all kinds of fractions
       const Decimal50 ratio = Decimal50(exp2_polynomial<P>(x)) / roots.exp2(Decimal50(x));
-      ASSERT_LE(static_cast<double>(abs(ratio - 1)), proven(P::record)) << x;
+      ASSERT_LE(static_cast<double>(abs(ratio - 1)), most) << x;
     }
   });
 }
@@ -241,63 +292,6 @@ TEST(Exp2Polynomial, IsTheSameInEveryArithmetic) {
       const Eigen::half half = exp2_polynomial<P>(Eigen::half(static_cast<float>(x)));
       EXPECT_LE(off(static_cast<float>(half)), 4 * 0x1p-11) << x;
     }
-    const Interval enclosure = exp2_polynomial<P>(Interval(x));
-    EXPECT_LE(lower_end(enclosure), static_cast<double>(truth));
-    EXPECT_GE(upper_end(enclosure), static_cast<double>(truth));
-    EXPECT_LE(width_of(enclosure), 1e-15 * upper_end(enclosure));
-    using Jet = ceres::Jet<double, 1>;
-    const Jet slope = exp2_polynomial<P>(Jet(x, 0));
-    EXPECT_DOUBLE_EQ(slope.a, exp2_polynomial<P>(x));
-    // by Markov's inequality the slope of an error of degree n + 1 is at most 2 (n+1)^2 times it on an
-    // interval of length 1
-    const double slope_error = 2 * 25 * constant<double>(P::record.bound);
-    EXPECT_NEAR(slope.v[0], std::exp2(x) * std::log(2.0), slope_error * std::exp2(x)) << x;
-  }
-}
-
-TEST(Exp2Polynomial, EnclosesWhatARoundingCuts) {
-  using P = Exp2Choice<3, double>;
-  const Interval cut = exp2_polynomial<P>(span_of(-1.75, 0.625));
-  for (const double x : {-1.75, -1.5, -1.25, -0.5, 0.0, 0.5, 0.625}) {
-    EXPECT_LE(lower_end(cut), exp2_polynomial<P>(x)) << x;
-    EXPECT_GE(upper_end(cut), exp2_polynomial<P>(x)) << x;
-  }
-  EXPECT_LT(upper_end(cut), 4);
-  // Two whole numbers, each with its own part: little more than the curve itself.
-  const Interval two = exp2_polynomial<P>(span_of(-0.75, 0.25));
-  for (const double x : {-0.75, -0.625, -0.5, -0.25, 0.0, 0.25}) {
-    EXPECT_LE(lower_end(two), exp2_polynomial<P>(x)) << x;
-    EXPECT_GE(upper_end(two), exp2_polynomial<P>(x)) << x;
-  }
-  EXPECT_GT(lower_end(two), 0.55);
-  EXPECT_LT(upper_end(two), 1.3);
-}
-
-// Next to the middle between two whole numbers a rounded argument may lie on either side: both are enclosed,
-// and little else.
-TEST(Exp2Polynomial, EnclosesBothSidesOfAJump) {
-  using P = Exp2Choice<2, double>;
-  const double below = std::nextafter(-3.5, -4.0), above = std::nextafter(-3.5, -3.0);
-  const double sides[] = {exp2_polynomial<P>(below), exp2_polynomial<P>(above)};
-  const double lower = std::min(sides[0], sides[1]), upper = std::max(sides[0], sides[1]);
-  ASSERT_GT(upper, 1.003 * lower) << "it jumps";
-  for (const double distance : {-0x1p-15, -0x1p-30, 0.0, 0x1p-30, 0x1p-15}) {
-    const Interval x(-3.5 + distance), both = exp2_polynomial<P>(x);
-    // what a step of 2^-14 changes
-    const double slack = 2 * 0x1p-14 * upper;
-    EXPECT_NEAR(lower_end(both), lower, slack) << distance;
-    EXPECT_NEAR(upper_end(both), upper, slack) << distance;
-    using Jet = ceres::Jet<Interval, 1>;
-    const Jet slope = exp2_polynomial<P>(Jet(x, 0));
-    EXPECT_EQ(lower_end(slope.a), lower_end(both)) << distance;
-    EXPECT_EQ(upper_end(slope.a), upper_end(both)) << distance;
-    EXPECT_FALSE(is_bounded(slope.v[0])) << distance << ": what jumps has no slope";
-  }
-  using Jet = ceres::Jet<Interval, 1>;
-  for (const double distance : {-0x1p-13, 0x1p-13}) {
-    const Jet side = exp2_polynomial<P>(Jet(Interval(-3.5 + distance), 0));
-    EXPECT_LE(width_of(side.a), 1e-15) << "one side alone";
-    EXPECT_TRUE(is_bounded(side.v[0]));
   }
 }
 

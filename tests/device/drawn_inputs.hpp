@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +9,7 @@
 
 #include "bench/device/form_bound.hpp"
 #include "bench/forms/catalogue.hpp"
+#include "fit/formula/batch.hpp"
 #include "fit/stress/numbers.hpp"
 
 /// Arguments of forms, drawn in boxes, so that a bound of a box holds for all of its arguments.
@@ -104,19 +104,18 @@ inline DrawnInputs drawn_for(forms::Arguments arguments) {
 
 /// The real value of each evaluation.
 inline std::vector<double> values_at(const DrawnInputs& drawn, const ShaderFunction& function) {
-  const FormInDouble form(function);
+  const Tape code = tape_of_code(function);
   const std::size_t n = function.arguments.size(), count = drawn.box_of.size();
-  std::vector<double> values(count);
-  std::array<std::array<double, FormInDouble::most>, 3> columns;
-  std::vector<const double*> arguments;
-  for (std::size_t a = 0; a < n; ++a) arguments.push_back(columns[a].data());
-  for (std::size_t from = 0; from < count; from += FormInDouble::most) {
-    const std::size_t some = std::min(FormInDouble::most, count - from);
-    for (std::size_t i = 0; i < some; ++i) {
+  constexpr std::size_t most = 1024;
+  std::vector<double> values;
+  for (std::size_t from = 0; from < count; from += most) {
+    std::vector<std::vector<double>> columns(n);
+    for (std::size_t i = from; i < std::min(from + most, count); ++i) {
       for (std::size_t a = 0; a < n; ++a)
-        columns[a][i] = static_cast<double>(drawn.arguments[(from + i) * n + a]);
+        columns[a].push_back(static_cast<double>(drawn.arguments[i * n + a]));
     }
-    form(arguments, &values[from], some);
+    const std::vector<double> some = shadefit::values_at(code, columns, {});
+    values.insert(values.end(), some.begin(), some.end());
   }
   return values;
 }

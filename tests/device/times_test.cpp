@@ -18,25 +18,25 @@ namespace shadefit::device {
 namespace {
 
 TEST(Turns, AreDoubledUntilADispatchTakesLongEnough) {
-  std::vector<std::uint32_t> asked;
-  const auto turns_for = [&](double seconds_a_turn, std::uint32_t most) {
+  std::vector<long> asked;
+  const auto turns_for = [&](double seconds_a_turn, long most) {
     asked.clear();
-    return turns_that_take(0.002, most, [&](std::uint32_t turns) {
+    return bench::repeats_that_take(0.002, most, [&](long turns) {
       asked.push_back(turns);
-      return turns * seconds_a_turn;
+      return static_cast<double>(turns) * seconds_a_turn;
     });
   };
-  EXPECT_EQ(turns_for(0.0003, 1000), 8U);
-  EXPECT_EQ(asked, (std::vector<std::uint32_t>{1, 2, 4, 8}));
-  EXPECT_EQ(turns_for(0.5, 1000), 1U) << "one turn that takes long enough is enough";
-  EXPECT_EQ(turns_for(0, 1000), 512U) << "no more than the most";
+  EXPECT_EQ(turns_for(0.0003, 1000), 8);
+  EXPECT_EQ(asked, (std::vector<long>{1, 2, 4, 8}));
+  EXPECT_EQ(turns_for(0.5, 1000), 1) << "one turn that takes long enough is enough";
+  EXPECT_EQ(turns_for(0, 1000), 512) << "no more than the most";
 }
 
 TEST(Turns, NoDispatchIsLong) {
   for (const double seconds_a_turn : {1e-9, 1e-6, 3e-5, 1e-3, 0.003}) {
-    turns_that_take(full_device_plan.seconds, 1U << 24, [&](std::uint32_t turns) {
-      EXPECT_LT(turns * seconds_a_turn, longest_dispatch);
-      return turns * seconds_a_turn;
+    bench::repeats_that_take(full_device_plan.seconds, 1L << 24, [&](long turns) {
+      EXPECT_LT(static_cast<double>(turns) * seconds_a_turn, longest_dispatch);
+      return static_cast<double>(turns) * seconds_a_turn;
     });
   }
 }

@@ -5,11 +5,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "lint/tree/source_tree.hpp"
+#include "tests/fake_gnuplot.hpp"
 #include "tests/lint/current_folder.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -19,27 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
-
-/// A variable of the environment with another value while this lives.
-class Environment {
- public:
-  Environment(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    ::setenv(name, value.c_str(), 1);
-  }
-  ~Environment() {
-    if (before_)
-      ::setenv(name_, before_->c_str(), 1);
-    else
-      ::unsetenv(name_);
-  }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
 
 /// A folder of the test's own, in which it stands, with git as it comes.
 class GitFiles : public ::testing::Test {
@@ -64,7 +43,7 @@ class GitFiles : public ::testing::Test {
 
   testing::TemporaryDirectory directory_;
   testing::StandIn here_{directory_.path()};
-  Environment user_{"GIT_CONFIG_GLOBAL", "/dev/null"}, system_{"GIT_CONFIG_NOSYSTEM", "1"};
+  testing::EnvironmentVariable user_{"GIT_CONFIG_GLOBAL", "/dev/null"}, system_{"GIT_CONFIG_NOSYSTEM", "1"};
 };
 
 TEST_F(GitFiles, AreTrackedOrNewAndNotIgnored) {
@@ -92,7 +71,7 @@ TEST_F(GitFiles, OfARepositoryWithinFollowItsOwnRules) {
   for (const std::string repository : {".", "p", "q"}) ASSERT_EQ(git("init " + repository), 0);
   EXPECT_EQ(found("."), Names{"p/a.h"});
   // As in a hook of another repository.
-  const Environment other("GIT_DIR", directory_ / "q/.git");
+  const testing::EnvironmentVariable other("GIT_DIR", directory_ / "q/.git");
   EXPECT_EQ(found("p"), Names{"p/a.h"});
 }
 
@@ -117,7 +96,7 @@ TEST_F(GitFiles, AreListedWithoutRunningWhatTheTreeNames) {
   EXPECT_EQ(found("p"), Names{"p/a.h"});
   EXPECT_FALSE(fs::exists("ran"));
   fs::create_symlink("trap", "git");
-  const Environment here("PATH", ":.");
+  const testing::EnvironmentVariable here("PATH", ":.");
   EXPECT_EQ(find_sources({"p"}, {}).skipped.messages.size(), 1U);
   EXPECT_FALSE(fs::exists("ran"));
 }
@@ -137,7 +116,7 @@ TEST_F(GitFiles, AreAllFilesButTheUsualOnesWhereGitRefuses) {
             "git is missing or refuses 'p' (git -C 'p' ls-files says why): files that it ignores are read"});
   };
   {
-    const Environment nowhere("PATH", directory_ / "p");
+    const testing::EnvironmentVariable nowhere("PATH", directory_ / "p");
     expect_refused();
   }
   if (::geteuid() == 0) {  // "dubious ownership"

@@ -61,7 +61,7 @@ TEST(Ignoring, IsAWordAtTheStartOfAComment) {
     EXPECT_FALSE(ignore_reason(line)) << line;
 }
 
-JudgedPin judged(const std::string& number, const std::string& name) {
+LintedSite judged(const std::string& number, const std::string& name) {
   // The parts of a pin point into its text.
   static std::list<std::string> texts;
   texts.push_back(number + " // shadefit: " + name);
@@ -69,9 +69,9 @@ JudgedPin judged(const std::string& number, const std::string& name) {
 }
 
 Grade grade_of_pin(const std::string& number, const std::string& name) {
-  const JudgedPin pin = judged(number, name);
+  const LintedSite pin = judged(number, name);
   EXPECT_EQ(pin.fault, "");
-  return pin.graded.grade;
+  return pin.grade;
 }
 
 TEST(Pins, AreRightWithThePublishedDigits) {
@@ -86,7 +86,7 @@ TEST(Pins, AreGradedByTheirEffect) {
   EXPECT_EQ(grade_of_pin("1.5707936", "acos-linear.a"), Grade::typo) << "moves the curve by 3e-6";
   EXPECT_EQ(grade_of_pin("1.57", "acos-linear.a"), Grade::truncated) << "moves the curve by 8e-4";
   EXPECT_EQ(grade_of_pin("1.56", "acos-linear.a"), Grade::wrong) << "moves the curve by 0.011";
-  EXPECT_NEAR(judged("1.56", "acos-linear.a").graded.effect.absolute.magnitude, 0.0107963, 1e-9)
+  EXPECT_NEAR(judged("1.56", "acos-linear.a").effect.absolute.magnitude, 0.0107963, 1e-9)
       << "at x = 0, the difference of the constants";
 }
 
@@ -116,8 +116,8 @@ TEST(Pins, OfSeveralFormsNeedTheForm) {
 }
 
 TEST(Pins, KnowWhatWasReplaced) {
-  const JudgedPin draft = judged("0.00304", "srgb-encode-standard.standard.t");
-  EXPECT_EQ(draft.graded.grade, Grade::outdated);
+  const LintedSite draft = judged("0.00304", "srgb-encode-standard.standard.t");
+  EXPECT_EQ(draft.grade, Grade::outdated);
   EXPECT_EQ(draft.replaced, "IEC 61966-2-1:1999 has 0.0031308; 0.00304 is the draft's");
 }
 

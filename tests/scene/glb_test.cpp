@@ -17,13 +17,13 @@ using namespace std::string_literals;
 
 TEST(Glb, HasItsChunksAndEndsWhereItSays) {
   const std::string file = glb_of(chunk("JSON", "{}  ") + chunk("what", "skip") + chunk("BIN\0"s, "1234"));
-  const Glb glb = parse_glb(bytes_of(file));
+  const Glb glb = parse_glb(file);
   EXPECT_EQ(glb.json, "{}  ");
   ASSERT_TRUE(glb.binary.has_value());
-  EXPECT_EQ(text_of(*glb.binary), "1234");
+  EXPECT_EQ(*glb.binary, "1234");
   const std::string longer = glb_of(chunk("JSON", "{}  ")) + "left over";
-  EXPECT_EQ(parse_glb(bytes_of(longer)).json, "{}  ");
-  EXPECT_FALSE(parse_glb(bytes_of(longer)).binary.has_value());
+  EXPECT_EQ(parse_glb(longer).json, "{}  ");
+  EXPECT_FALSE(parse_glb(longer).binary.has_value());
 }
 
 TEST(Glb, RefusesWhatIsNone) {
@@ -42,7 +42,7 @@ TEST(Glb, RefusesWhatIsNone) {
            {glb_of(most + "JSON{}  "), "byte 12: a chunk of 4294967295 bytes goes past the end, 4 bytes on"},
            {glb_of(chunk("BIN\0"s, "1234")), "byte 12: the first chunk, and no other, has to be JSON"},
            {glb_of(json + json), "byte 24: the first chunk, and no other, has to be JSON"}})
-    EXPECT_EQ(refusal([&bytes = file] { parse_glb(bytes_of(bytes)); }), words);
+    EXPECT_EQ(refusal([&bytes = file] { parse_glb(bytes); }), words);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::string jpeg_of(unsigned width, unsigned height, int components, std::vector
 
 /// The least and the largest code of a channel.
 std::pair<double, double> codes_of(const std::string& encoded, Channel channel) {
-  const Range range = PictureReader().ranges(bytes_of(encoded), {&channel, 1}).front();
+  const Range range = PictureReader().ranges(encoded, {&channel, 1}).front();
   return {255 * range.least, 255 * range.most};
 }
 
@@ -65,7 +65,7 @@ TEST(Texture, TakesEachChannel) {
   EXPECT_EQ(codes_of(png, Channel::green), Codes(2, 20));
   EXPECT_EQ(codes_of(png, Channel::alpha), Codes(4, 40));
   constexpr std::array both{Channel::blue, Channel::green};
-  EXPECT_EQ(PictureReader().ranges(bytes_of(png), both),
+  EXPECT_EQ(PictureReader().ranges(png, both),
             (std::vector<Range>{{3 / 255.0, 30 / 255.0}, {2 / 255.0, 20 / 255.0}}));
 }
 
@@ -122,9 +122,9 @@ TEST(Texture, PicturesOfASceneAreBoundedTogether) {
   const std::string four = png_of({2, 2, PNG_COLOR_TYPE_GRAY, {5, 5, 5, 6}});
   PictureReader reader(10);
   constexpr std::array red{Channel::red};
-  reader.ranges(bytes_of(four), red);
-  reader.ranges(bytes_of(four), red);
-  EXPECT_EQ(refusal([&] { reader.ranges(bytes_of(four), red); }),
+  reader.ranges(four, red);
+  reader.ranges(four, red);
+  EXPECT_EQ(refusal([&] { reader.ranges(four, red); }),
             "with its 2 x 2 pixels the pictures of the scene have more than may be read together");
 }
 
