@@ -13,8 +13,6 @@
 namespace shadefit {
 namespace {
 
-static_assert(most_study_parameters <= most_parameters, "the exchange takes every study");
-
 /// The command-line option of the first constraint; null if there is none.
 const char* option_of(const Constraints& constraints) {
   return !constraints.exact_at.empty() ? "--exact-at"
@@ -73,9 +71,7 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
     problem_.exact_at.push_back(x == edges.front().at ? places.front() : places.back());
   // The text of a form may cancel digits. Then fewer digits are right, as in least squares.
   problem_.largest_step = std::pow(10.0L, -least_study_digits);
-  problem_.is_admissible = [this](const MinimaxParameters& p) {
-    return !sampled_.has_pole(std::span(p).first(problem_.size));
-  };
+  problem_.is_admissible = [this](const MinimaxParameters& p) { return !sampled_.has_pole(p); };
 }
 
 void require_possible(const ReadStudy& study, const Constraints& constraints) {

@@ -118,9 +118,8 @@ Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
       const double scaled = c.gradient[j] * scale[j];
       square += scaled * scaled;
     }
-    WideParameters wide{};
-    std::ranges::copy(parameters, wide.begin());
-    const auto finer = static_cast<double>(curve_of(Touch::exact).wide(place, wide));
+    const auto finer =
+        static_cast<double>(curve_of(Touch::exact).wide(place, {parameters.begin(), parameters.end()}));
     // 0, or the rounding of 0: sin(pi x) at 1.
     if (std::abs(c.value) <= 2 * std::abs(c.value - finer))
       return i > 0 || square > 0 ? CanBe::exact : CanBe::exact_for_all;

@@ -23,7 +23,7 @@ constexpr double largest_rounding = 0.1;
 class RemezExchange {
  public:
   RemezExchange(const MinimaxProblem& problem, const MinimaxParameters& start)
-      : problem_(problem), here_(problem, start) {}
+      : problem_(problem), here_(problem, start), counted_(start.size()) {}
 
   MinimaxOptimum solve() {
     const std::string why = here_.hold_exact();
@@ -55,7 +55,7 @@ class RemezExchange {
   /// Finds the extrema, takes the step of their linear programme, and repeats until the step is negligible. A
   /// step that does not lower the merit is halved.
   bool descend() {
-    MinimaxParameters base = here_.parameters, step{};
+    MinimaxParameters base = here_.parameters, step(problem_.size);
     double best = HUGE_VAL, scale = 1, size = 1;
     for (; result_.iterations < most_steps; ++result_.iterations) {
       here_.look();
@@ -183,8 +183,7 @@ class RemezExchange {
     // One pass is usual, and a second confirms it.
     for (int pass = 0; pass < 5; ++pass) {
       SmallMatrix matrix{}, inverse{};
-      WideParameters wide{};
-      std::ranges::copy(here_.parameters, wide.begin());
+      const WideParameters wide(here_.parameters.begin(), here_.parameters.end());
       std::array<long double, most_unknowns> values{};
       long double level = 0;
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
@@ -266,7 +265,7 @@ class RemezExchange {
   Contacts here_;
   Few<Contact> reference_;
   Unknowns multipliers_{};
-  MinimaxParameters counted_{};
+  MinimaxParameters counted_;
   double penalty_ = 1;
   double rounding_ = 0;     ///< the largest error of double where the error alternates
   double expected_ = 0;     ///< the level promised by the last programme

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -24,9 +23,8 @@
 /// near its start. It is not proven to be the best of all, and the search is sampled.
 namespace shadefit {
 
-/// Parameters beyond those of the form are not used.
-using MinimaxParameters = std::array<double, most_parameters>;
-using WideParameters = std::array<long double, most_parameters>;
+using MinimaxParameters = std::vector<double>;
+using WideParameters = std::vector<long double>;
 
 /// A place of the search: s in [0, 1] on one of the panels of the domain.
 struct SearchPlace {
