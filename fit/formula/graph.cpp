@@ -107,7 +107,8 @@ int Graph::add(const Symbolic& e) {
   for (const Symbolic& part : e.parts()) parts.push_back(add(part));
   const bool is_of_numbers = std::all_of(parts.begin(), parts.end(), [&](int i) { return is_constant(i); });
   if (is_of_numbers) return constant(e);
-  GraphNode result = e.kind() == Kind::function ? called(e.name(), parts.size()) : GraphNode{operation_of(e.kind())};
+  GraphNode result =
+      e.kind() == Kind::function ? called(e.name(), parts.size()) : GraphNode{operation_of(e.kind())};
   if (e.kind() == Kind::integer_power) result.index = e.exponent();
   std::copy(parts.begin(), parts.end(), result.operands.begin());
   return node(result);

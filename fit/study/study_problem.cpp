@@ -62,8 +62,7 @@ StudyError::StudyError(const ReadStudy& study, IntegralRule rule)
   const std::size_t variables = node_variables(study).size();
   const int error = graph.add(error_formula(study));
   std::vector<int> slopes, outputs{error};
-  for (std::size_t i = 0; i < parameter_count_; ++i)
-    slopes.push_back(graph.derivative(error, variables + i));
+  for (std::size_t i = 0; i < parameter_count_; ++i) slopes.push_back(graph.derivative(error, variables + i));
   outputs.insert(outputs.end(), slopes.begin(), slopes.end());
   gradient_.emplace(graph, outputs, variables);
   for (std::size_t i = 0; i < slopes.size(); ++i) {
