@@ -12,7 +12,6 @@
 #include "fit/exchange/minimax_study.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -173,9 +172,7 @@ TEST(StudyProof, AgreesWithSamples) {
     const ReadStudy study = read_formulas(subject.study);
     std::vector<double> parameters;
     for (const auto& [name, text] : subject.parameters) parameters.push_back(std::stod(text));
-    std::vector<std::vector<StudyEdge>> edges;
-    for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
-    const double sampled = largest_error(study, edges, parameters).magnitude;
+    const double sampled = largest_error(study, parameters).magnitude;
     const StudyCertificate certificate = proof_of(subject).certificate;
     EXPECT_LE(sampled, certificate.upper * (1 + 1e-13)) << subject.study.target;
     EXPECT_GE(sampled, certificate.lower * (1 - 1e-6)) << subject.study.target;
@@ -185,10 +182,7 @@ TEST(StudyProof, AgreesWithSamples) {
 TEST(StudyProof, HoldsTheMinimaxLevelOfTheArcCosine) {
   const Study study{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
   const StudyFit fit = solve_minimax_study(read_study(study), {}, {});
-  StudySubject subject{study, {}};
-  for (std::size_t i = 0; i < fit.names.size(); ++i)
-    subject.parameters.emplace_back(fit.names[i], hex_text(fit.parameters[i]));
-  const StudyCertificate certificate = proof_of(subject).certificate;
+  const StudyCertificate certificate = proof_of({study, constants_of(study, fit)}).certificate;
   // The level to 15 digits, from the fit in 50 digits. a is a double: it adds at most its ulp.
   EXPECT_LE(certificate.lower, 0.003206963815473175 + 0x1p-52);
   EXPECT_GE(certificate.upper, 0.003206963815473165);
@@ -214,38 +208,42 @@ TEST(StudyProof, ProofsMayShareIntegrals) {
   }
 }
 
-/// The bound on a box holds for each place in it.
-TEST(StudyProof, BoundsEachPlaceOfABox) {
-  const ReadStudy study = read_formulas({.target = "max(x, y^2) + floor(2 x) sign(y)",
-                                         .form = "abs(x - y) sqrt(1 - x)",
-                                         .over = {{"x", "0", "1"}, {"y", "-1", "1"}}});
-  EnclosedError error(study, {});
-  std::vector<StudyBox> boxes = corners_of(error.ranges());
-  for (std::size_t i = 0; i < 200; ++i) {
+/// The bound on a box holds for each place in it, for so many boxes, each the half of another. The places of
+/// a box are at these shares of its sides.
+void expect_bounds_of_places(const Study& study, std::size_t count, const std::vector<double>& shares) {
+  EnclosedError error(read_formulas(study), {});
+  const auto ranges = error.ranges();
+  std::vector<StudyBox> boxes = corners_of(ranges);
+  for (std::size_t i = 0; i < count; ++i) {
     const StudyBox box = boxes[i];
     const double bound = error.bound_on(box, 0).bound;
-    for (const double u : {0.0, 0.3, 1.0}) {
-      for (const double v : {0.0, 0.6, 1.0}) {
-        const std::array part{u, v};
-        std::vector<double> place;
-        for (std::size_t k = 0; k < 2; ++k) {
-          const double end = box[k].is_from_upper ? error.ranges()[k].upper : error.ranges()[k].lower;
-          place.push_back(end + box[k].lower + part[k] * (box[k].upper - box[k].lower));
+    std::vector<std::vector<double>> places{{}};
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      std::vector<std::vector<double>> longer;
+      for (const std::vector<double>& place : places) {
+        for (const double share : shares) {
+          longer.push_back(place);
+          longer.back().push_back((box[k].is_from_upper ? ranges[k].upper : ranges[k].lower) + box[k].lower +
+                                  share * (box[k].upper - box[k].lower));
         }
-        EXPECT_LE(smallest_magnitude_in(error.at(place)), bound) << i;
       }
-    }
-    for (const std::size_t axis : {0U, 1U}) {
-      const auto halves = halves_of(box, axis);
+      places = longer;
+      const auto halves = halves_of(box, k);
       ASSERT_TRUE(halves);
       boxes.insert(boxes.end(), halves->begin(), halves->end());
     }
+    for (const std::vector<double>& place : places)
+      EXPECT_LE(smallest_magnitude_in(error.at(place)), bound) << study.target << " at " << place[0];
   }
 }
 
 /// In one variable the slope is bounded by the second derivative. Where the slope jumps, at a kink of the
 /// form, of the target or of an integral, the second derivative knows nothing of the jump.
-TEST(StudyProof, BoundsEachPlaceNextToAKink) {
+TEST(StudyProof, BoundsEachPlaceOfABox) {
+  expect_bounds_of_places({.target = "max(x, y^2) + floor(2 x) sign(y)",
+                           .form = "abs(x - y) sqrt(1 - x)",
+                           .over = {{"x", "0", "1"}, {"y", "-1", "1"}}},
+                          200, {0, 0.3, 0.6, 1});
   const StudyRange unit{"x", "0", "1"};
   for (const Study& study :
        {Study{.target = "10 abs(x - 1/3) + x^3", .form = "5 x", .over = {unit}},
@@ -253,22 +251,8 @@ TEST(StudyProof, BoundsEachPlaceNextToAKink) {
         Study{.target = "x < 1/3 ? 1 - 3 x : (x - 1/3)^2", .form = "x^2", .over = {unit}},
         Study{.target = "integral(abs(x - t) + t x^3, t, 0, 1)", .form = "x", .over = {unit}},
         Study{.target = "exp(integral(cos(3 t x)/(1 + x t^2), t, 0, 1))", .form = "x", .over = {unit}},
-        Study{.target = "x integral(x t, t, 0, 1)", .form = "0.45 x", .over = {unit}}}) {
-    const ReadStudy read = read_formulas(study);
-    EnclosedError error(read, {});
-    std::vector<StudyBox> boxes = corners_of(error.ranges());
-    for (std::size_t i = 0; i < 60; ++i) {
-      const Stretch side = boxes[i][0];
-      const double bound = error.bound_on(boxes[i], 0).bound, end = side.is_from_upper ? 1 : 0;
-      for (const double u : {0.0, 0.21, 0.5, 0.83, 1.0}) {
-        const std::array place{end + side.lower + u * (side.upper - side.lower)};
-        EXPECT_LE(smallest_magnitude_in(error.at(place)), bound) << study.target << " at " << place[0];
-      }
-      const auto halves = halves_of(boxes[i], 0);
-      ASSERT_TRUE(halves);
-      boxes.insert(boxes.end(), halves->begin(), halves->end());
-    }
-  }
+        Study{.target = "x integral(x t, t, 0, 1)", .form = "0.45 x", .over = {unit}}})
+    expect_bounds_of_places(study, 60, {0, 0.21, 0.5, 0.83, 1});
 }
 
 /// Where form and target are near each other their slopes cancel at a place, not on a box: without the second
