@@ -38,17 +38,15 @@ void expect_values(std::initializer_list<std::string_view> all) {
   }
 }
 
-std::string error_of(std::string_view text) {
-  return testing::refusal<std::invalid_argument>([&] { parse(text); });
-}
+const FormulaNames three_names{.variables = {"a", "b", "cos_theta"}};
 
-void expect_error(const std::string& text, const std::string& expected) {
-  EXPECT_EQ(error_of(text), "formula '" + text + "': expected " + expected);
-}
-
-/// Of a text that may have other names.
-std::string error_of(std::string_view text, const FormulaNames& names) {
+std::string error_of(std::string_view text, const FormulaNames& names = three_names) {
   return testing::refusal<std::invalid_argument>([&] { read_formula(text, names); });
+}
+
+void expect_error(const std::string& text, const std::string& expected,
+                  const FormulaNames& names = three_names) {
+  EXPECT_EQ(error_of(text, names), "formula '" + text + "': expected " + expected);
 }
 
 TEST(ParseFormula, ReadsAsPeopleMeanIt) {
@@ -180,20 +178,16 @@ TEST(ReadFormula, TakesUAsASuffixWhereItIsNoName) {
   };
   EXPECT_EQ(read("2u x", {.variables = {"x"}}), "2 x");
   EXPECT_EQ(read("2u x", {.variables = {"x", "u"}}), "2 u x");
-  EXPECT_EQ(error_of("a + 2u x", {.variables = {"x"}, .takes_parameters = true}),
-            "formula 'a + 2u x': expected no suffix, or a '*': in a form 2u may be 2*u at place 5");
+  expect_error("a + 2u x", "no suffix, or a '*': in a form 2u may be 2*u at place 5",
+               {.variables = {"x"}, .takes_parameters = true});
 }
 
 TEST(ParseFormula, RefusesVectorsByName) {
-  constexpr const char* vector = "' (vectors are not part of the language) at place ";
-  EXPECT_EQ(error_of("float3(a, a, a)"),
-            "formula 'float3(a, a, a)': expected a real number, not 'float3" + std::string(vector) + "1");
-  EXPECT_EQ(error_of("1 + vec3(a).x"),
-            "formula '1 + vec3(a).x': expected a real number, not 'vec3" + std::string(vector) + "5");
-  EXPECT_EQ(error_of("(half4)a"),
-            "formula '(half4)a': expected a real number, not 'half4" + std::string(vector) + "2");
-  EXPECT_EQ(error_of("dot(a, b)"),
-            "formula 'dot(a, b)': expected a real number, not 'dot" + std::string(vector) + "1");
+  const std::string vector = "' (vectors are not part of the language) at place ";
+  expect_error("float3(a, a, a)", "a real number, not 'float3" + vector + "1");
+  expect_error("1 + vec3(a).x", "a real number, not 'vec3" + vector + "5");
+  expect_error("(half4)a", "a real number, not 'half4" + vector + "2");
+  expect_error("dot(a, b)", "a real number, not 'dot" + vector + "1");
   for (const char* text : {"mat3(a)", "float4x4(a)", "mat2x3(a)", "ivec2(a)", "normalize(a)"})
     EXPECT_NE(error_of(text).find(vector), std::string::npos) << text;
   expect_error(
@@ -253,37 +247,30 @@ TEST(ReadFormula, FindsParametersAndPutsDefinitionsIn) {
       .variables = {"x"},
       .definitions = {{"g", {{"t"}, parse_formula("t + 1", t)}}, {"half", {{}, parse_formula("1/2", {})}}},
       .takes_parameters = true};
-  const auto refusal = [&](std::string_view text) { return error_of(text, names); };
   const ReadFormula read = read_formula("sqrt(1-x)(b + a x) + k(x) + b half", names);
   EXPECT_EQ(read.parameters, (std::vector<std::string>{"b", "a", "k"}));
   EXPECT_EQ(to_text(read.formula), "sqrt(1 - x) (b + a x) + k x + b (1/2)");
   EXPECT_EQ(to_text(read_formula("g(2 x) + e", names).formula), "2 x + 1 + e");
-  EXPECT_EQ(refusal("sqr(x)"),
-            "formula 'sqr(x)': expected a function before '(', not 'sqr' (did you mean 'sqrt'?) at place 1");
-  EXPECT_EQ(refusal("f0(x)"),
-            "formula 'f0(x)': expected a function before '(', not 'f0'; a product needs a '*' or a space at "
-            "place 1");
-  EXPECT_EQ(refusal("f0 (x)"), "");
-  EXPECT_EQ(refusal("g(x, x)"), "formula 'g(x, x)': expected 1 argument of 'g' at place 2");
+  expect_error("sqr(x)", "a function before '(', not 'sqr' (did you mean 'sqrt'?) at place 1", names);
+  expect_error("f0(x)", "a function before '(', not 'f0'; a product needs a '*' or a space at place 1",
+               names);
+  EXPECT_EQ(error_of("f0 (x)", names), "");
+  expect_error("g(x, x)", "1 argument of 'g' at place 2", names);
 }
 
 // With a list of parameters no other name is one.
 TEST(ReadFormula, KeepsToAListOfParameters) {
   const FormulaNames names{.variables = {"x"}, .takes_parameters = true, .parameters = {"b", "scale"}};
-  const auto refusal = [&](std::string_view text) { return error_of(text, names); };
   EXPECT_EQ(read_formula("scale x + b", names).parameters, (std::vector<std::string>{"scale", "b"}));
-  EXPECT_EQ(refusal("scale x + c"),
-            "formula 'scale x + c': expected one of x, b, scale, pi, ln2 and the functions, not 'c' at place "
-            "11");
-  EXPECT_EQ(refusal("b + scael x"),
-            "formula 'b + scael x': expected one of x, b, scale, pi, ln2 and the functions, not 'scael' (did "
-            "you mean 'scale'?) at place 5");
-  EXPECT_EQ(refusal("b sqr(x)"),
-            "formula 'b sqr(x)': expected one of x, b, scale, pi, ln2 and the functions, not 'sqr' (did you "
-            "mean 'sqrt'?) at place 3");
-  EXPECT_EQ(refusal("scale(x)"),
-            "formula 'scale(x)': expected a function before '(', not 'scale'; a product needs a '*' or a "
-            "space at place 1");
+  expect_error("scale x + c", "one of x, b, scale, pi, ln2 and the functions, not 'c' at place 11", names);
+  expect_error(
+      "b + scael x",
+      "one of x, b, scale, pi, ln2 and the functions, not 'scael' (did you mean 'scale'?) at place 5", names);
+  expect_error("b sqr(x)",
+               "one of x, b, scale, pi, ln2 and the functions, not 'sqr' (did you mean 'sqrt'?) at place 3",
+               names);
+  expect_error("scale(x)", "a function before '(', not 'scale'; a product needs a '*' or a space at place 1",
+               names);
 }
 
 TEST(ParseFormula, BoundsItsDepth) {

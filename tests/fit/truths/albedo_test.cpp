@@ -297,8 +297,13 @@ TEST(Albedos, HaveDerivatives) {
   outputs.insert(outputs.end(),
                  {by_c, by_alpha, graph.derivative(by_c, 0), graph.derivative(by_c, 1),
                   graph.derivative(by_alpha, 1), graph.derivative(graph.derivative(by_c, 0), 0)});
-  const Tape tape(graph, outputs, inputs);
-  const auto at = [&](double c, double alpha) { return tape(std::span<const double>(std::array{c, alpha})); };
+  TapeProgram<double> program(Tape(graph, outputs, inputs), {});
+  const auto at = [&](double c, double alpha) {
+    program.run(std::array{c, alpha});
+    std::vector<double> found;
+    for (std::size_t i = 0; i < outputs.size(); ++i) found.push_back(program.output(i));
+    return found;
+  };
   // In the second place c is in the last row of the table, which has another variable.
   for (const auto& place : {std::pair(0.3, 0.5), {0.002, 0.9}}) {
     const double c = place.first, alpha = place.second;
