@@ -338,7 +338,6 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
     best = solve_linear_fit(
         {study, error, Norm::least_squares, constraints, {edges}, searched.sampled, lowest, checkpoint});
   best->names = study.parameters;
-  best->why = with_variable(best->why, study.axes.front().variable);
   best->starts = searched.starts;
   // Some of these conditions are not convex, but for a linear form all are linear at each place.
   best->is_global = searched.is_linear;

@@ -174,7 +174,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   fit.names = study.parameters;
   fit.parameters = best->parameters;
   fit.status = best->status;
-  fit.why = with_variable(best->why, study.axes.front().variable);
+  fit.why = best->why;
   fit.digits = best->digits;
   fit.starts = searched.starts;
   fit.is_global = searched.is_linear;
