@@ -30,40 +30,32 @@ struct KnownMaximum {
   double expected;
 };
 
+/// A form of x in [0, 1].
+StudySubject on_unit(const std::string& target, const std::string& form, const Constants& parameters) {
+  return {{.target = target, .form = form, .over = {{"x", "0", "1"}}}, parameters};
+}
+
 std::vector<KnownMaximum> known_maxima() {
   const StudyRange unit{"x", "0", "1"}, other_unit{"y", "0", "1"};
   constexpr double h = 1.0 / 64;
   const auto integral_of_atan = [](double x) { return x * std::atan(x) - std::log1p(x * x) / 2; };
   return {
       {"a line for a square: 1/8 at both ends and between",
-       {{.target = "x^2", .form = "a + b x", .over = {unit}}, {{"a", "-0.125"}, {"b", "1"}}},
-       0.125},
+       on_unit("x^2", "a + b x", {{"a", "-0.125"}, {"b", "1"}}), 0.125},
       // 1/4 + t^2 - t with t = sqrt(1 - x)
-      {"a root at an end", {{.target = "sqrt(1-x)", .form = "a - x", .over = {unit}}, {{"a", "1.25"}}}, 0.25},
+      {"a root at an end", on_unit("sqrt(1-x)", "a - x", {{"a", "1.25"}}), 0.25},
       {"a root at an end whose infinite slope cancels",
-       {{.target = "sqrt(1-x) + x", .form = "a sqrt(1-x) + b", .over = {unit}}, {{"a", "1"}, {"b", "0.25"}}},
-       0.75},
-      {"an arc cosine at 1, where its slope is infinite",
-       {{.target = "acos(x)", .form = "a", .over = {unit}}, {{"a", "0"}}},
-       pi / 2},
+       on_unit("sqrt(1-x) + x", "a sqrt(1-x) + b", {{"a", "1"}, {"b", "0.25"}}), 0.75},
+      {"an arc cosine at 1, where its slope is infinite", on_unit("acos(x)", "a", {{"a", "0"}}), pi / 2},
       {"a logarithm at an end: x log x, largest at 1/e",
        {{.target = "x log(x)", .form = "a x", .over = {{"x", "1e-9", "1"}}}, {{"a", "0"}}},
        1 / std::numbers::e},
-      {"a kink at the largest error",
-       {{.target = "abs(x - 1/3)", .form = "a", .over = {unit}}, {{"a", "1"}}},
-       1},
-      {"a kink of a maximum under a root",
-       {{.target = "sqrt(max(x - 1/3, 0))", .form = "a", .over = {unit}}, {{"a", "0"}}},
+      {"a kink at the largest error", on_unit("abs(x - 1/3)", "a", {{"a", "1"}}), 1},
+      {"a kink of a maximum under a root", on_unit("sqrt(max(x - 1/3, 0))", "a", {{"a", "0"}}),
        std::sqrt(2.0 / 3)},
-      {"a jump of a choice",
-       {{.target = "x < 0.5 ? 0 : 1", .form = "a + b x", .over = {unit}}, {{"a", "-0.25"}, {"b", "1.5"}}},
-       0.5},
-      {"jumps whose upper ends are not attained",
-       {{.target = "floor(3 x)", .form = "a x", .over = {unit}}, {{"a", "3"}}},
-       1},
-      {"the jump of a sign",
-       {{.target = "sign(x - 1/3)", .form = "a (x - 1/3)", .over = {unit}}, {{"a", "0.25"}}},
-       1},
+      {"a jump of a choice", on_unit("x < 0.5 ? 0 : 1", "a + b x", {{"a", "-0.25"}, {"b", "1.5"}}), 0.5},
+      {"jumps whose upper ends are not attained", on_unit("floor(3 x)", "a x", {{"a", "3"}}), 1},
+      {"the jump of a sign", on_unit("sign(x - 1/3)", "a (x - 1/3)", {{"a", "0.25"}}), 1},
       {"an angle on the side of its jump that the range ends at",
        {{.target = "atan2(y, x)", .form = "a", .over = {{"x", "-2", "-1"}, {"y", "-1", "0"}}}, {{"a", "0"}}},
        pi},
@@ -84,9 +76,7 @@ std::vector<KnownMaximum> known_maxima() {
        {{.target = "x", .form = "a", .over = {unit}, .weight = "x"}, {{"a", "1"}}},
        0.25},
       // The integral of t from 0 to x is x^2/2; the difference x/2 - x^2/2 is largest at 1/2.
-      {"an integral up to the variable",
-       {{.target = "integral(t, t, 0, x)", .form = "a x", .over = {unit}}, {{"a", "0.5"}}},
-       0.125},
+      {"an integral up to the variable", on_unit("integral(t, t, 0, x)", "a x", {{"a", "0.5"}}), 0.125},
       {"a relative error to an integral with a root at its end: x/4 - 1 at 0",
        {{.target = "3/2 * integral(sqrt(t), t, 0, 1)",
          .form = "a x",
@@ -96,21 +86,17 @@ std::vector<KnownMaximum> known_maxima() {
        1},
       // The integral is x^2 + (1 - x)^2 over 2; less 1/4 it is largest at both ends.
       {"a kink that moves through the integral",
-       {{.target = "integral(abs(t - x), t, 0, 1)", .form = "a", .over = {unit}}, {{"a", "0.25"}}},
-       0.25},
+       on_unit("integral(abs(t - x), t, 0, 1)", "a", {{"a", "0.25"}}), 0.25},
       // The argument of abs touches 0 in the middle of the only panel. With h = 1/64 the integral is 2 h - 2
       // sin h.
       {"abs of what touches 0",
-       {{.target = "x integral(abs(1 - cos(t - 0.5)), t, 31/64, 33/64)", .form = "a", .over = {unit}},
-        {{"a", "0"}}},
+       on_unit("x integral(abs(1 - cos(t - 0.5)), t, 31/64, 33/64)", "a", {{"a", "0"}}),
        h * h * h / 3 * (1 - h * h / 20 * (1 - h * h / 42))},
       // At x = 1 the body is 1, and before it is 0.
       {"a condition that holds at one place alone",
-       {{.target = "integral(x < 1 ? t - t^2 : 1, t, 0, 1)", .form = "a", .over = {unit}}, {{"a", "0"}}},
-       1},
+       on_unit("integral(x < 1 ? t - t^2 : 1, t, 0, 1)", "a", {{"a", "0"}}), 1},
       // The angle is -pi - atan(t) below 0 and pi - atan(t) above.
-      {"an angle that jumps inside",
-       {{.target = "x integral(atan2(t, -1), t, -2, 1)", .form = "a", .over = {unit}}, {{"a", "0"}}},
+      {"an angle that jumps inside", on_unit("x integral(atan2(t, -1), t, -2, 1)", "a", {{"a", "0"}}),
        pi - integral_of_atan(2) + integral_of_atan(1)},
       {"an integral in two variables: x y^2/2",
        {{.target = "integral(x t, t, 0, y)", .form = "a x", .over = {unit, other_unit}}, {{"a", "0"}}},

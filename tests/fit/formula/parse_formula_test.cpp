@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -223,21 +224,12 @@ TEST(ParseFormula, RoundsAsC) {
 
 // The constants of math.h.
 TEST(ParseFormula, KnowsTheConstantsOfC) {
-  using Named = std::pair<const char*, double>;
-  for (const auto& [name, value] : std::initializer_list<Named>{{"M_PI", M_PI},
-                                                                {"M_PI_2", M_PI_2},
-                                                                {"M_PI_4", M_PI_4},
-                                                                {"M_1_PI", M_1_PI},
-                                                                {"M_2_PI", M_2_PI},
-                                                                {"M_2_SQRTPI", M_2_SQRTPI},
-                                                                {"M_SQRT2", M_SQRT2},
-                                                                {"M_SQRT1_2", M_SQRT1_2},
-                                                                {"M_E", M_E},
-                                                                {"M_LN2", M_LN2},
-                                                                {"M_LN10", M_LN10},
-                                                                {"M_LOG2E", M_LOG2E},
-                                                                {"M_LOG10E", M_LOG10E}})
-    EXPECT_NEAR(value_of(name) / value, 1, 4e-16) << name;
+  const std::map<std::string, double> constants{
+      {"M_PI", M_PI},        {"M_PI_2", M_PI_2},         {"M_PI_4", M_PI_4},   {"M_1_PI", M_1_PI},
+      {"M_2_PI", M_2_PI},    {"M_2_SQRTPI", M_2_SQRTPI}, {"M_SQRT2", M_SQRT2}, {"M_SQRT1_2", M_SQRT1_2},
+      {"M_E", M_E},          {"M_LN2", M_LN2},           {"M_LN10", M_LN10},   {"M_LOG2E", M_LOG2E},
+      {"M_LOG10E", M_LOG10E}};
+  for (const auto& [name, value] : constants) EXPECT_NEAR(value_of(name) / value, 1, 4e-16) << name;
 }
 
 // In a form every other name is a parameter; definitions are put in.
