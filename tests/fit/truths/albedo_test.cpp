@@ -280,8 +280,9 @@ TEST(Albedos, HaveTheSameValueInEveryScalar) {
     const Decimal50 widest =
         in_50_digits(formula, [&](const std::string& name) -> Decimal50 { return value_of_name(name); });
     EXPECT_EQ(static_cast<long double>(widest), wide);
-    const TwoLanes both = tape_of(
-        formula, names)(std::span<const TwoLanes>(std::array{TwoLanes(c, alpha), TwoLanes(alpha, c)}))[0];
+    TapeProgram<TwoLanes> program(tape_of(formula, names), {});
+    program.run(std::array{TwoLanes(c, alpha), TwoLanes(alpha, c)});
+    const TwoLanes both = program.output(0);
     EXPECT_EQ(both[0], value_of("ggx_albedo", c, alpha));
     EXPECT_EQ(both[1], value_of("ggx_albedo", alpha, c));
   }
