@@ -11,10 +11,8 @@
 #include "fit/exchange/linear_fit.hpp"
 #include "fit/exchange/surface_programme.hpp"
 #include "fit/squares/confirm_integrals.hpp"
-#include "fit/squares/row_descent.hpp"
 #include "fit/squares/rules.hpp"
 #include "fit/steps/digits.hpp"
-#include "fit/steps/quadratic_programme.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
@@ -168,21 +166,24 @@ class SurfaceExchange {
     return fit;
   }
 
-  /// Whether no other parameters have this level: no step from them raises none of the errors that are at
-  /// it.
+  /// Whether no other parameters have this level.
   bool is_determined(const StudyFit& fit) const {
     VectorOf<double> errors;
     MatrixOf<double> slopes;
     SampledStudy<double>(error_, nodes_at(places_.all())).errors(fit.parameters, errors, &slopes);
-    const MatrixOf<double> along = slopes * row_directions(slopes, 1);
-    std::vector<Condition> conditions;
-    for (Eigen::Index row = 0; row < errors.size(); ++row) {
-      const bool is_support = std::ranges::count(support_.places, static_cast<std::size_t>(row)) > 0;
+    std::vector<std::size_t> support(size_ + 1);
+    std::vector<Eigen::Index> touching;
+    for (std::size_t place = 0; place < places_.all().size(); ++place) {
+      const auto row = static_cast<Eigen::Index>(place);
+      const auto at = std::find(support_.places.begin(), support_.places.end(), place);
+      const bool is_support = at != support_.places.end();
       if (!is_support && std::abs(errors[row]) < *fit.level * (1 - same_level) - support_.rounding) continue;
-      const VectorOf<double> slope = along.row(row) * (errors[row] < 0 ? -1 : 1);
-      std::ranges::copy(slope, conditions.emplace_back().slope.begin());
+      if (is_support) support[static_cast<std::size_t>(at - support_.places.begin())] = touching.size();
+      if (errors[row] < 0) slopes.row(row) *= -1;
+      touching.push_back(row);
     }
-    return along.cols() == slopes.cols() && !has_way(conditions, along.cols());
+    const auto& multipliers = support_.lowest.multipliers;
+    return are_determined(slopes(touching, Eigen::all), support, std::span(multipliers).first(size_ + 1));
   }
 
   const StudyError& error_;
