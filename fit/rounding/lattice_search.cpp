@@ -27,8 +27,8 @@ struct LatticeOptimum {
 /// soon gives a good error for pruning. Of points with equal errors the first one stays. Gives up after
 /// `limit` boxes; calls `checkpoint` now and then.
 LatticeOptimum search_lattice(const LatticeProblem& problem, const LatticeBox& all,
-                                 const std::vector<LatticePoint>& starts, long limit,
-                                 const Checkpoint& checkpoint) {
+                              const std::vector<LatticePoint>& starts, long limit,
+                              const Checkpoint& checkpoint) {
   struct Open {
     double bound;
     long order;
@@ -77,8 +77,8 @@ LatticeOptimum search_lattice(const LatticeProblem& problem, const LatticeBox& a
 }  // namespace
 
 FormatOptimum search_format(const LatticeProblem& problem, std::int64_t last,
-                               const std::vector<LatticePoint>& starts, const NumberFormat& format,
-                               long limit, const Checkpoint& checkpoint) {
+                            const std::vector<LatticePoint>& starts, const NumberFormat& format, long limit,
+                            const Checkpoint& checkpoint) {
   LatticeOptimum best;
   const std::size_t size = starts.front().size();
   if (size <= most_dimensions) {
