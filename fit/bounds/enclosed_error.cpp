@@ -70,43 +70,15 @@ void collect_terms(const Symbolic& e, int times, std::map<std::string, std::pair
   }
 }
 
+/// The inputs of the error: the variables, its integrals, the parameters.
+std::vector<std::string> inputs_of(const ReadStudy& study, std::size_t integrals) {
+  std::vector<std::string> inputs = node_variables(study);
+  for (std::size_t i = 0; i < integrals; ++i) inputs.push_back(name_of_integral(i));
+  inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
+  return inputs;
+}
+
 }  // namespace
-
-/// The tapes of the value, of the slopes by the variables and by the integrals, and of the second derivatives
-/// by pairs of these.
-struct EnclosedError::Programs {
-  Programs(const ReadStudy& study, std::span<const Interval> parameters)
-      : error(separated(error_formula(study), integrals)),
-        graph(inputs_of(study, integrals.size())),
-        value{graph.add(error)},
-        jumps(graph),
-        kinks(graph) {
-    if (const std::vector<double> places = poles_of(study); !places.empty() && integrals.empty())
-      limits.emplace(graph, value.front(), places, parameters);
-    for (std::size_t i = 0; i < study.axes.size() + integrals.size(); ++i)
-      slopes.push_back(graph.derivative(value.front(), i));
-    kinks = Jumps(graph);
-    for (std::size_t i = 0; i < slopes.size() && study.axes.size() == 1; ++i)
-      for (std::size_t k = 0; k <= i; ++k) curvatures.push_back(graph.derivative(slopes[i], k));
-    for (const int node : kinks.deciding_nodes()) slopes.push_back(node);
-    for (const int node : jumps.deciding_nodes()) value.push_back(node);
-  }
-
-  static std::vector<std::string> inputs_of(const ReadStudy& study, std::size_t integrals) {
-    std::vector<std::string> inputs = node_variables(study);
-    for (std::size_t i = 0; i < integrals; ++i) inputs.push_back(name_of_integral(i));
-    inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-    return inputs;
-  }
-  Tape tape(std::span<const int> outputs) { return {graph, outputs}; }
-
-  std::vector<Symbolic> integrals;
-  Symbolic error;
-  Graph graph;
-  std::vector<int> value, slopes, curvatures;
-  Jumps jumps, kinks;
-  std::optional<ErrorLimits> limits;
-};
 
 ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameters) {
   if (study.residual) return study;
@@ -131,20 +103,26 @@ ReadStudy without_equal_terms(const ReadStudy& study, const Constants& parameter
 }
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
-                             KnownIntegrals known)
-    : EnclosedError(study, parameters, std::move(known), Programs(study, parameters)) {}
-
-EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
-                             KnownIntegrals known, Programs programs)
-    : jumps_(std::move(programs.jumps)),
-      kinks_(std::move(programs.kinks)),
-      limits_(std::move(programs.limits)),
-      value_(programs.tape(programs.value), parameters),
-      slopes_(programs.tape(programs.slopes), parameters),
-      curvatures_(programs.tape(programs.curvatures), parameters) {
+                             KnownIntegrals known) {
   for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
-  for (const Symbolic& integral : programs.integrals)
-    integrals_.push_back(known.of(study, integral, parameters));
+  std::vector<Symbolic> integrals;
+  const Symbolic error = separated(error_formula(study), integrals);
+  for (const Symbolic& integral : integrals) integrals_.push_back(known.of(study, integral, parameters));
+  Graph graph(inputs_of(study, integrals.size()));
+  std::vector<int> value{graph.add(error)}, slopes, curvatures;
+  jumps_ = Jumps(graph);
+  if (const std::vector<double> places = poles_of(study); !places.empty() && integrals.empty())
+    limits_.emplace(graph, value.front(), places, parameters);
+  for (std::size_t i = 0; i < study.axes.size() + integrals.size(); ++i)
+    slopes.push_back(graph.derivative(value.front(), i));
+  kinks_ = Jumps(graph);
+  for (std::size_t i = 0; i < slopes.size() && study.axes.size() == 1; ++i)
+    for (std::size_t k = 0; k <= i; ++k) curvatures.push_back(graph.derivative(slopes[i], k));
+  for (const int node : kinks_.deciding_nodes()) slopes.push_back(node);
+  for (const int node : jumps_.deciding_nodes()) value.push_back(node);
+  value_.emplace(Tape(graph, value), parameters);
+  slopes_.emplace(Tape(graph, slopes), parameters);
+  curvatures_.emplace(Tape(graph, curvatures), parameters);
 }
 
 /// The variables, then the integrals there.
@@ -156,19 +134,19 @@ std::vector<Interval> EnclosedError::with_integrals(std::vector<Interval> variab
 }
 
 const Interval& EnclosedError::value_for(std::vector<Interval> variables) {
-  value_.run(with_integrals(std::move(variables)));
-  return value_.output(0);
+  value_->run(with_integrals(std::move(variables)));
+  return value_->output(0);
 }
 
 std::vector<Interval> EnclosedError::slopes_for(std::vector<Interval> variables) {
   const std::size_t count = variables.size();
   variables = with_integrals(std::move(variables));
-  slopes_.run(variables);
+  slopes_->run(variables);
   std::vector<Interval> slopes;
-  for (std::size_t i = 0; i < count; ++i) slopes.push_back(slopes_.output(i));
+  for (std::size_t i = 0; i < count; ++i) slopes.push_back(slopes_->output(i));
   for (std::size_t k = 0; k < integrals_.size(); ++k) {
     const std::vector<Interval> inner = integrals_[k]->slopes(std::span(variables).first(count));
-    for (std::size_t i = 0; i < count; ++i) slopes[i] = slopes[i] + slopes_.output(count + k) * inner[i];
+    for (std::size_t i = 0; i < count; ++i) slopes[i] = slopes[i] + slopes_->output(count + k) * inner[i];
   }
   return slopes;
 }
@@ -179,17 +157,17 @@ Interval EnclosedError::curvature_for(const std::vector<Interval>& variables) {
   Interval sum(0);
   for (const auto& integral : integrals_) by_variable.push_back(integral->slopes(variables).front());
   const std::vector<Interval> inputs = with_integrals(variables);
-  curvatures_.run(inputs);
+  curvatures_->run(inputs);
   std::size_t pair = 0;
   for (std::size_t i = 0; i < by_variable.size(); ++i) {
     for (std::size_t k = 0; k <= i; ++k) {
-      const Interval term = curvatures_.output(pair++) * by_variable[i] * by_variable[k];
+      const Interval term = curvatures_->output(pair++) * by_variable[i] * by_variable[k];
       sum = sum + (k < i ? Interval(Interval(2) * term) : term);
     }
   }
-  slopes_.run(inputs);
+  slopes_->run(inputs);
   for (std::size_t k = 0; k < integrals_.size(); ++k)
-    sum = sum + slopes_.output(1 + k) * integrals_[k]->curvature(variables);
+    sum = sum + slopes_->output(1 + k) * integrals_[k]->curvature(variables);
   return sum;
 }
 
@@ -199,7 +177,7 @@ std::vector<Interval> EnclosedError::slopes_on(const StudyBox& box) {
   const auto limited = limits_ ? limits_->on(numbers.front()) : std::nullopt;
   if (limited) slopes[0] = narrowed(slopes[0], limited->slope);
   if (box.size() > 1 || !is_bounded(slopes[0]) || has_one_sign(slopes[0])) return slopes;
-  if (kinks_.may_happen(slopes_, 1 + integrals_.size())) return slopes;
+  if (kinks_.may_happen(*slopes_, 1 + integrals_.size())) return slopes;
   Interval curvature = curvature_for(numbers);
   if (limited) curvature = narrowed(curvature, limited->curvature);
   if (!is_bounded(curvature)) return slopes;
@@ -243,7 +221,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   const double natural = largest_magnitude_in(value);
   BoxBound result{natural, widest_axis(box, ranges_), place_in(box, ranges_)};
   if (limits_ && !is_bounded(value)) result.bound = bound_by_ends(box.front());
-  if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
+  if (natural <= enough || !is_bounded(value) || jumps_.may_happen(*value_, 1)) return result;
 
   const std::vector<Interval> slopes = slopes_on(box);
   // Where the value is largest and smallest, as far as the slopes tell, and the rest of the sum.

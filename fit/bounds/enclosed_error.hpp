@@ -57,10 +57,6 @@ class EnclosedError {
   BoxBound bound_on(const StudyBox& box, double enough);
 
  private:
-  struct Programs;
-  EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, KnownIntegrals known,
-                Programs programs);
-
   std::vector<Interval> with_integrals(std::vector<Interval> variables);
   const Interval& value_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_for(std::vector<Interval> variables);
@@ -76,7 +72,7 @@ class EnclosedError {
   std::vector<std::shared_ptr<StudyIntegral>> integrals_;
   std::optional<ErrorLimits> limits_;  ///< where a denominator or a logarithm may be 0
   /// Functions of the variables and the integrals. The last has the second derivatives of one variable.
-  TapeProgram<Interval> value_, slopes_, curvatures_;
+  std::optional<TapeProgram<Interval>> value_, slopes_, curvatures_;
 };
 
 }  // namespace shadefit

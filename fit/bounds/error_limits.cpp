@@ -74,14 +74,13 @@ class AtPlace {
 };
 
 bool is_logarithm(const GraphNode& node) {
-  return node.operation == Operation::function && (name_of_one(node) == "log" || name_of_one(node) == "log2");
+  return function_name(node) == "log" || function_name(node) == "log2";
 }
 
 /// Whether each derivative is that of the formula wherever it is bounded.
 bool is_smooth(const GraphNode& node) {
   if (node.operation == Operation::choice || node.operation == Operation::function_of_two) return false;
-  if (node.operation != Operation::function) return true;
-  const std::string_view name = name_of_one(node);
+  const std::string_view name = function_name(node);
   return name != "abs" && name != "sign" && name != "floor";
 }
 

@@ -3,19 +3,12 @@
 #include <string_view>
 
 #include "fit/proof/interval_ends.hpp"
-#include "fit/scalars/functions.hpp"
 
 namespace shadefit {
 namespace {
 
-std::string_view name_of(const GraphNode& node) {
-  const auto index = static_cast<std::size_t>(node.index);
-  if (node.operation == Operation::function) return functions_of_one<double>[index].name;
-  return node.operation == Operation::function_of_two ? functions_of_two<double>[index].name : "";
-}
-
 bool can_jump(const GraphNode& node) {
-  const std::string_view name = name_of(node);
+  const std::string_view name = function_name(node);
   return node.operation == Operation::choice || name == "sign" || name == "floor" || name == "atan2";
 }
 
@@ -31,7 +24,7 @@ bool is_one_number(const Interval& x) {
 /// Whether an operation may jump if its deciding operands lie in `a` and `b`. A single operand is given
 /// twice.
 bool jumps_on(const GraphNode& node, const Interval& a, const Interval& b) {
-  const std::string_view name = name_of(node);
+  const std::string_view name = function_name(node);
   if (name == "sign") return !is_one_number(signum(a));
   if (name == "floor") return !is_one_number(floor(a));
   // The angle jumps at y = 0, x <= 0, and is continuous on the side of y > 0.

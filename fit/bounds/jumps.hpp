@@ -14,6 +14,7 @@ namespace shadefit {
 /// slopes are unbounded.
 class Jumps {
  public:
+  Jumps() = default;
   explicit Jumps(const Graph& graph);
 
   bool empty() const { return nodes_.empty(); }

@@ -19,44 +19,30 @@ double lowest_in(const Interval& x) {
                                                               : lower_end(x);
 }
 
+/// The function, all operations of the graph, and the deciding nodes of its jumps.
+Tape value_tape(Graph& graph, int node, const Jumps& jumps) {
+  std::vector<int> outputs{node};
+  for (std::size_t i = 0; i < graph.nodes().size(); ++i) outputs.push_back(static_cast<int>(i));
+  for (const int deciding : jumps.deciding_nodes()) outputs.push_back(deciding);
+  return {graph, outputs};
+}
+
+Tape slope_tape(Graph& graph, int node, std::size_t variables) {
+  std::vector<int> outputs;
+  for (std::size_t i = 0; i < variables; ++i) outputs.push_back(graph.derivative(node, i));
+  return {graph, outputs};
+}
+
 }  // namespace
 
-/// The tapes of the value and of the slopes by the variables.
-struct LowestValue::Programs {
-  Programs(Graph graph, int node, std::size_t variables)
-      : jumps(graph),
-        operations(graph.nodes().size()),
-        value(value_tape(graph, node, jumps)),
-        slopes(slope_tape(graph, node, variables)) {}
-
-  static Tape value_tape(Graph& graph, int node, const Jumps& jumps) {
-    std::vector<int> outputs{node};
-    for (std::size_t i = 0; i < graph.nodes().size(); ++i) outputs.push_back(static_cast<int>(i));
-    for (const int deciding : jumps.deciding_nodes()) outputs.push_back(deciding);
-    return {graph, outputs};
-  }
-  static Tape slope_tape(Graph& graph, int node, std::size_t variables) {
-    std::vector<int> outputs;
-    for (std::size_t i = 0; i < variables; ++i) outputs.push_back(graph.derivative(node, i));
-    return {graph, outputs};
-  }
-
-  // In this order: the slopes add nodes to the graph.
-  Jumps jumps;
-  std::size_t operations;
-  Tape value, slopes;
-};
-
+// In this order: the slopes add nodes to the graph.
 LowestValue::LowestValue(Graph graph, int node, std::vector<Domain> ranges,
                          std::span<const Interval> parameters)
-    : LowestValue(Programs(std::move(graph), node, ranges.size()), ranges, parameters) {}
-
-LowestValue::LowestValue(Programs programs, std::vector<Domain> ranges, std::span<const Interval> parameters)
     : ranges_(std::move(ranges)),
-      jumps_(std::move(programs.jumps)),
-      operations_(programs.operations),
-      value_(programs.value, parameters),
-      slopes_(programs.slopes, parameters) {}
+      jumps_(graph),
+      operations_(graph.nodes().size()),
+      value_(value_tape(graph, node, jumps_), parameters),
+      slopes_(slope_tape(graph, node, ranges_.size()), parameters) {}
 
 const Interval& LowestValue::values_on(const StudyBox& box) {
   value_.run(numbers_on(box, ranges_));

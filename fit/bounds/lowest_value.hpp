@@ -37,9 +37,6 @@ class LowestValue {
   LowestOnBox on(const StudyBox& box, double enough = -std::numeric_limits<double>::infinity());
 
  private:
-  struct Programs;
-  LowestValue(Programs programs, std::vector<Domain> ranges, std::span<const Interval> parameters);
-
   const Interval& values_on(const StudyBox& box);
   bool may_have_pole() const;  ///< on the box of the last values
   void improve_by_mean_value(const StudyBox& box, LowestOnBox& result);

@@ -27,10 +27,6 @@ namespace {
 using Vector = VectorOf<double>;
 using Matrix = MatrixOf<double>;
 
-std::vector<double> sized(const MinimaxParameters& parameters, std::size_t size) {
-  return {parameters.begin(), parameters.begin() + static_cast<std::ptrdiff_t>(size)};
-}
-
 /// The fit from one start: the constrained optimum of its basin.
 class ConstrainedFit {
  public:
@@ -42,9 +38,7 @@ class ConstrainedFit {
         problem_(problem),
         size_(static_cast<Eigen::Index>(problem.size)),
         sampled_(error, nodes_of(study, {edges}, fit_rules[search_rule(study)])),
-        here_(problem, {}) {
-    std::copy(start.begin(), start.end(), here_.parameters.begin());
-  }
+        here_(problem, start) {}
 
   StudyFit solve(const Checkpoint& checkpoint) {
     const std::string why = here_.hold_exact();
@@ -54,7 +48,7 @@ class ConstrainedFit {
     } else if (descend(checkpoint)) {
       settle();
     }
-    fit_.parameters = sized(here_.parameters, problem_.size);
+    fit_.parameters = here_.parameters;
     return std::move(fit_);
   }
 
@@ -117,8 +111,8 @@ class ConstrainedFit {
   }
 
   double size_of(const Vector& step, const Matrix& hessian) const {
-    return static_cast<double>(relative_size(step.cast<long double>(), sized(here_.parameters, problem_.size),
-                                             hessian, sampled_.target_norm()));
+    return static_cast<double>(
+        relative_size(step.cast<long double>(), here_.parameters, hessian, sampled_.target_norm()));
   }
 
   bool descend(const Checkpoint& checkpoint) {
@@ -130,14 +124,14 @@ class ConstrainedFit {
       here_.look();
       if (here_.is_impossible())
         return fail(fit_, Status::infeasible, "no parameters " + here_.most_violated());
-      const std::vector<double> at = sized(here_.parameters, problem_.size);
+      const std::vector<double> at = here_.parameters;
       const double merit =
           std::isfinite(here_.level()) ? sampled_.square(at) / 2 + penalty * here_.violation() : HUGE_VAL;
       // Short steps along a curved constraint are right even if they raise the sum a little.
       if (!(merit < best) && size > 1e-3) {
         scale /= 2;
         if (scale < 1e-6) return fail(fit_, Status::not_converged, "no part of a step improves the fit");
-        go_to(base, scale * step);
+        here_.parameters = moved_by<double>(scale * step, base);
         continue;
       }
       const auto sums = sampled_.derivatives(at);
@@ -160,17 +154,12 @@ class ConstrainedFit {
       step = answer->step;
       scale = 1;
       size = size_of(step, hessian);
-      go_to(base, step);
+      here_.parameters = moved_by(step, base);
       if (size < last_step) return true;
     }
     return fail(fit_, Status::not_converged,
                 here_.violation() > 0 ? "no step leads to parameters that " + here_.most_violated()
                                       : "the steps did not end in " + std::to_string(most_steps));
-  }
-
-  void go_to(const MinimaxParameters& base, const Vector& step) {
-    for (std::size_t i = 0; i < problem_.size; ++i)
-      here_.parameters[i] = base[i] + step[static_cast<Eigen::Index>(i)];
   }
 
   /// The gradient of a constraint; of an equation, in the direction of rising values.
@@ -200,8 +189,7 @@ class ConstrainedFit {
 
   /// The distance of a constraint's value from its bound, in long double; negative if it is violated.
   long double lack_of(const Contact& c) const {
-    WideParameters wide{};
-    std::copy(here_.parameters.begin(), here_.parameters.end(), wide.begin());
+    const WideParameters wide(here_.parameters.begin(), here_.parameters.end());
     const MinimaxCurve& curve = here_.curve_of(c.touch);
     const long double value = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
     const long double bound = c.is_tangent ? 0 : here_.bound_of(c.touch);
@@ -217,7 +205,7 @@ class ConstrainedFit {
 
   Step newton(const SampledStudy<long double>& wide) {
     const auto count = static_cast<Eigen::Index>(active_.size());
-    const std::vector<double> at = sized(here_.parameters, problem_.size);
+    const std::vector<double> at = here_.parameters;
     const Matrix hessian = sampled_.derivatives(at).hessian;
     const auto sums = wide.gradient(std::vector<long double>(at.begin(), at.end()));
     Matrix matrix = Matrix::Zero(size_ + count, size_ + count);
@@ -242,9 +230,7 @@ class ConstrainedFit {
   }
 
   void take(const Step& step) {
-    for (std::size_t i = 0; i < problem_.size; ++i)
-      here_.parameters[i] = static_cast<double>(static_cast<long double>(here_.parameters[i]) +
-                                                step.values[static_cast<Eigen::Index>(i)]);
+    here_.parameters = moved_by<long double>(step.values.head(size_), here_.parameters);
     for (std::size_t i = 0; i < active_.size(); ++i)
       active_[i].multiplier += static_cast<double>(step.values[size_ + static_cast<Eigen::Index>(i)]);
   }
@@ -279,8 +265,7 @@ class ConstrainedFit {
       square = check.square;
       take(check);
     }
-    const auto here = std::span(here_.parameters).first(problem_.size);
-    clear_rounding(here, sampled_.derivatives(here).hessian, sampled_.target_norm());
+    clear_rounding(here_.parameters, sampled_.derivatives(here_.parameters).hessian, sampled_.target_norm());
     fit_.digits = correct_digits(size);
     if (fit_.digits < least_study_digits) {
       fail(fit_, Status::not_converged, "Newton's method does not settle in long double");
@@ -312,9 +297,7 @@ class ConstrainedFit {
                                   problem_.error.along(a.contact.place, here_.parameters).value,
                                   a.multiplier});
     }
-    std::sort(
-        fit_.alternation.begin(), fit_.alternation.end(),
-        [](const AlternationPoint& a, const AlternationPoint& b) { return a.at.cos_theta < b.at.cos_theta; });
+    std::ranges::sort(fit_.alternation, {}, [](const AlternationPoint& point) { return point.at.cos_theta; });
   }
 
   const ReadStudy& study_;
@@ -355,7 +338,6 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
     best = solve_linear_fit(
         {study, error, Norm::least_squares, constraints, {edges}, searched.sampled, lowest, checkpoint});
   best->names = study.parameters;
-  best->why = with_variable(best->why, study.axes.front().variable);
   best->starts = searched.starts;
   // Some of these conditions are not convex, but for a linear form all are linear at each place.
   best->is_global = searched.is_linear;

@@ -59,9 +59,8 @@ class MovingTops {
     for (Eigen::Index k = 0; k < steps.cols(); ++k) {
       VectorOf<double> change = VectorOf<double>::Zero(steps.rows());
       for (const double side : {h, -h}) {
-        std::vector<double> moved(parameters.begin(), parameters.end());
-        for (std::size_t j = 0; j < moved.size(); ++j)
-          moved[j] += side * steps(static_cast<Eigen::Index>(j), k);
+        const std::vector<double> moved =
+            moved_by<double>(side * steps.col(k), {parameters.begin(), parameters.end()});
         VectorOf<double> heights;
         MatrixOf<double> slopes;
         errors<double>(moved, heights, slopes);

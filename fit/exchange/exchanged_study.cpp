@@ -13,8 +13,6 @@
 namespace shadefit {
 namespace {
 
-static_assert(most_study_parameters <= most_parameters, "the exchange takes every study");
-
 /// The command-line option of the first constraint; null if there is none.
 const char* option_of(const Constraints& constraints) {
   return !constraints.exact_at.empty() ? "--exact-at"
@@ -37,6 +35,7 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
     for (const double s : chebyshev_places()) places.push_back({panel, s});
   }
   problem_.size = study.parameters.size();
+  problem_.variable = study.axes.front().variable;
   problem_.cosine_at = [this](const SearchPlace& place) {
     const double x = panels_->first(place.panel).at(place.s);
     return Cosine<double>{x, 1 - x};
@@ -71,11 +70,7 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
   problem_.monotone = constraints.monotone;
   for (const double x : constraints.exact_at)
     problem_.exact_at.push_back(x == edges.front().at ? places.front() : places.back());
-  // The text of a form may cancel digits. Then fewer digits are right, as in least squares.
-  problem_.largest_step = std::pow(10.0L, -least_study_digits);
-  problem_.is_admissible = [this](const MinimaxParameters& p) {
-    return !sampled_.has_pole(std::span(p).first(problem_.size));
-  };
+  problem_.is_admissible = [this](const MinimaxParameters& p) { return !sampled_.has_pole(p); };
 }
 
 void require_possible(const ReadStudy& study, const Constraints& constraints) {
@@ -95,13 +90,6 @@ void require_possible(const ReadStudy& study, const Constraints& constraints) {
 
 bool has_constraints(const Constraints& constraints) {
   return option_of(constraints) != nullptr;
-}
-
-std::string with_variable(std::string text, const std::string& variable) {
-  const std::string cosine = " c = ", own = " " + variable + " = ";
-  for (std::size_t at = text.find(cosine); at != std::string::npos; at = text.find(cosine, at + own.size()))
-    text.replace(at, cosine.size(), own);
-  return text;
 }
 
 }  // namespace shadefit

@@ -30,7 +30,4 @@ class ExchangedStudy {
 /// an `exact_at` that is not an end of the range.
 void require_possible(const ReadStudy& study, const Constraints& constraints);
 
-/// A message of the exchange, with the study's variable in place of c.
-std::string with_variable(std::string text, const std::string& variable);
-
 }  // namespace shadefit

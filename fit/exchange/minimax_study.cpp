@@ -48,33 +48,29 @@ ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, cons
   std::vector<double> from = start;
   double distance = HUGE_VAL, reached = HUGE_VAL;
   for (int pass = 0; pass < most_passes && distance > same; ++pass) {
-    MinimaxParameters p{};
-    std::copy(from.begin(), from.end(), p.begin());
     if (has_moving_kinks) {
       end.edges = resolved_edges(study, error, from);
       const ExchangedStudy exchanged(study, error, end.edges, from, constraints);
-      end.optimum = solve_minimax(exchanged.problem(), p);
+      end.optimum = solve_minimax(exchanged.problem(), from);
     } else {
-      end.optimum = solve_minimax(first_exchanged.problem(), p);
+      end.optimum = solve_minimax(first_exchanged.problem(), from);
     }
     if (end.optimum.status != Status::converged) {
       // Far from where its kinks were the exchange sees them only roughly.
-      const auto at = end.optimum.parameters.begin();
-      const std::vector<double> last(at, at + static_cast<std::ptrdiff_t>(from.size()));
-      const double level = has_moving_kinks ? level_at(study, last) : HUGE_VAL;
+      const double level = has_moving_kinks ? level_at(study, end.optimum.parameters) : HUGE_VAL;
       if (!(level < reached)) break;
       reached = level;
     }
     distance = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
-      distance = std::max(distance, std::abs(p[i] - end.optimum.parameters[i]) / std::abs(p[i]));
-    std::copy_n(end.optimum.parameters.begin(), from.size(), from.begin());
+      distance = std::max(distance, std::abs(from[i] - end.optimum.parameters[i]) / std::abs(from[i]));
+    from = end.optimum.parameters;
   }
   if (end.optimum.status == Status::converged && !has_moving_kinks) {
     end.lowest = end.optimum.level;
     return end;
   }
-  std::copy_n(end.optimum.parameters.begin(), from.size(), from.begin());
+  from = end.optimum.parameters;
   end.lowest = std::min(level_at(study, start), level_at(study, from));
   constexpr double equal = 1e-9;
   const bool is_lost =
@@ -114,16 +110,14 @@ void go_on_where_missed(const ReadStudy& study, const StudyError& error, const C
                         ExchangeEnd& end) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds && end.optimum.status == Status::converged; ++round) {
-    MinimaxParameters& p = end.optimum.parameters;
-    const std::vector<double> parameters(p.begin(),
-                                         p.begin() + static_cast<std::ptrdiff_t>(study.parameters.size()));
+    const std::vector<double> parameters = end.optimum.parameters;
     const auto missed = missed_place(study, error, end.optimum.level, parameters);
     const auto next =
         missed ? std::ranges::lower_bound(end.edges, *missed, {}, &StudyEdge::at) : end.edges.end();
     if (next == end.edges.end() || next->at == *missed) return;
     end.edges.insert(next, {*missed});
     const ExchangedStudy exchanged(study, error, end.edges, parameters, constraints);
-    end.optimum = solve_minimax(exchanged.problem(), MinimaxParameters(p));
+    end.optimum = solve_minimax(exchanged.problem(), parameters);
   }
 }
 
@@ -141,12 +135,8 @@ bool is_better(const ExchangeEnd& a, const ExchangeEnd& b, bool is_constrained) 
 std::optional<std::vector<double>> other_side(const ReadStudy& study, const ExchangedStudy& exchanged,
                                               const std::vector<double>& start, const ExchangeEnd& end) {
   if (end.optimum.status == Status::converged) return std::nullopt;
-  const auto& at = end.optimum.parameters;
-  const std::vector<double> last(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(start.size()));
-  return beyond_infinity(start, last, [&](const std::vector<double>& parameters) {
-    MinimaxParameters p{};
-    std::copy(parameters.begin(), parameters.end(), p.begin());
-    return exchanged.problem().is_admissible(p) ? level_at(study, parameters) : HUGE_VAL;
+  return beyond_infinity(start, end.optimum.parameters, [&](const std::vector<double>& parameters) {
+    return exchanged.problem().is_admissible(parameters) ? level_at(study, parameters) : HUGE_VAL;
   });
 }
 
@@ -182,10 +172,9 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   const MinimaxOptimum* best = &found->optimum;
   StudyFit fit;
   fit.names = study.parameters;
-  fit.parameters.assign(best->parameters.begin(),
-                        best->parameters.begin() + static_cast<std::ptrdiff_t>(study.parameters.size()));
+  fit.parameters = best->parameters;
   fit.status = best->status;
-  fit.why = with_variable(best->why, study.axes.front().variable);
+  fit.why = best->why;
   fit.digits = best->digits;
   fit.starts = searched.starts;
   fit.is_global = searched.is_linear;

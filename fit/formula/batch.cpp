@@ -125,15 +125,6 @@ Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordina
   for (std::size_t i = 0; i < rest.output_count(); ++i) outputs_.push_back(nullptr);
 }
 
-template <class T>
-void Batch<T>::operator()(std::span<const T> parameters, std::vector<S>& results) const {
-  results.resize(outputs_.size() * packs_);
-  visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-      std::copy_n(outputs[i], count, results.data() + i * packs_ + first);
-  });
-}
-
 std::vector<double> values_at(const Tape& tape, std::span<const std::vector<double>> coordinates,
                               std::span<const double> parameters) {
   using Lanes = Batch<double>::Lanes;

@@ -61,14 +61,9 @@ class Batch {
   static void append_packed(std::span<const T> numbers, T beyond, std::vector<S>& packs);
 
   std::size_t nodes() const { return nodes_; }
-  /// The number of S in a row of results.
-  std::size_t packs() const { return packs_; }
 
-  /// For each output a row of `packs()` results.
-  void operator()(std::span<const T> parameters, std::vector<S>& results) const;
-
-  /// The same without keeping results: calls `visit` for some packs after the others, with their first one,
-  /// their number, and for each output a pointer to that many results.
+  /// Calls `visit` for some packs after the others, with their first one, their number, and for each output a
+  /// pointer to that many results.
   template <class Visit>
   void visit(std::span<const T> parameters, const Visit& visit) const;
 

@@ -1,6 +1,7 @@
 #include "fit/formula/graph.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "fit/scalars/functions.hpp"
@@ -17,12 +18,34 @@ int index_of(const List& functions, std::string_view name) {
   return static_cast<int>(found - functions.data());
 }
 
+/// The operation of an expression that is no function.
+Operation operation_of(Kind kind) {
+  static const std::map<Kind, Operation> operations{{Kind::add, Operation::add},
+                                                    {Kind::subtract, Operation::subtract},
+                                                    {Kind::multiply, Operation::multiply},
+                                                    {Kind::divide, Operation::divide},
+                                                    {Kind::negate, Operation::negate},
+                                                    {Kind::real_power, Operation::real_power},
+                                                    {Kind::integer_power, Operation::integer_power},
+                                                    {Kind::choice, Operation::choice}};
+  return operations.at(kind);
+}
+
+/// The node of a function, without its operands.
+GraphNode called(const std::string& name, std::size_t operands) {
+  if (const auto albedo = find_albedo(name)) return {Operation::albedo, index_of(*albedo)};
+  if (operands == 1) return {Operation::function, index_of(functions_of_one<double>, name)};
+  return {Operation::function_of_two, index_of(functions_of_two<double>, name)};
+}
+
 constexpr int albedo_orders = most_albedo_order + 1;
 
 }  // namespace
 
-std::string_view name_of_one(const GraphNode& node) {
-  return functions_of_one<double>[static_cast<std::size_t>(node.index)].name;
+std::string_view function_name(const GraphNode& node) {
+  const auto index = static_cast<std::size_t>(node.index);
+  if (node.operation == Operation::function) return functions_of_one<double>[index].name;
+  return node.operation == Operation::function_of_two ? functions_of_two<double>[index].name : "";
 }
 
 int index_of(const Albedo& albedo) {
@@ -80,50 +103,14 @@ int Graph::add(const Symbolic& e) {
     default:
       break;
   }
-  GraphNode result{Operation::add};
   std::vector<int> parts;
   for (const Symbolic& part : e.parts()) parts.push_back(add(part));
   const bool is_of_numbers = std::all_of(parts.begin(), parts.end(), [&](int i) { return is_constant(i); });
   if (is_of_numbers) return constant(e);
+  GraphNode result =
+      e.kind() == Kind::function ? called(e.name(), parts.size()) : GraphNode{operation_of(e.kind())};
+  if (e.kind() == Kind::integer_power) result.index = e.exponent();
   std::copy(parts.begin(), parts.end(), result.operands.begin());
-  switch (e.kind()) {
-    case Kind::add:
-      result.operation = Operation::add;
-      break;
-    case Kind::subtract:
-      result.operation = Operation::subtract;
-      break;
-    case Kind::multiply:
-      result.operation = Operation::multiply;
-      break;
-    case Kind::divide:
-      result.operation = Operation::divide;
-      break;
-    case Kind::negate:
-      result.operation = Operation::negate;
-      break;
-    case Kind::real_power:
-      result.operation = Operation::real_power;
-      break;
-    case Kind::integer_power:
-      result.operation = Operation::integer_power;
-      result.index = e.exponent();
-      break;
-    case Kind::choice:
-      result.operation = Operation::choice;
-      break;
-    default: {
-      if (const auto albedo = find_albedo(e.name())) {
-        result.operation = Operation::albedo;
-        result.index = index_of(*albedo);
-        break;
-      }
-      const bool is_of_one = parts.size() == 1;
-      result.operation = is_of_one ? Operation::function : Operation::function_of_two;
-      result.index = is_of_one ? index_of(functions_of_one<double>, e.name())
-                               : index_of(functions_of_two<double>, e.name());
-    }
-  }
   return node(result);
 }
 
@@ -262,10 +249,10 @@ int Graph::derived(const GraphNode& at, int self, std::size_t input) {
     }
     case Operation::function: {
       const int inner = slope(a);
-      return is_zero(inner) ? inner : product(derived_function(name_of_one(at), a, self), inner);
+      return is_zero(inner) ? inner : product(derived_function(function_name(at), a, self), inner);
     }
     case Operation::function_of_two: {
-      const std::string_view name = functions_of_two<double>[static_cast<std::size_t>(at.index)].name;
+      const std::string_view name = function_name(at);
       const int first = slope(a), second = slope(b);
       if (first == second && name != "atan2") return first;
       if (name == "min") return node({Operation::choice, 0, {b, a, second, first}});

@@ -47,8 +47,8 @@ struct GraphNode {
   auto operator<=>(const GraphNode&) const = default;
 };
 
-/// The name of a function of one operand.
-std::string_view name_of_one(const GraphNode& node);
+/// The name of a function; empty for any other operation.
+std::string_view function_name(const GraphNode& node);
 
 class Graph {
  public:

@@ -39,6 +39,10 @@ std::string counted(const std::vector<std::size_t>& counts) {
   return text + (counts == std::vector<std::size_t>{1} ? " argument" : " arguments");
 }
 
+bool has(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 std::string did_you_mean(const std::optional<std::string>& name) {
   return name ? " (did you mean '" + *name + "'?)" : "";
 }
@@ -247,8 +251,7 @@ class FormulaReader {
   }
 
   bool is_declared(std::string_view name) const {
-    return std::find(names_.variables.begin(), names_.variables.end(), name) != names_.variables.end() ||
-           names_.definitions.contains(name) || std::find(bound_.begin(), bound_.end(), name) != bound_.end();
+    return has(names_.variables, name) || names_.definitions.contains(name) || has(bound_, name);
   }
 
   /// Moves behind `(float)` and the like. Refuses a cast to anything but a real number.
@@ -301,8 +304,7 @@ class FormulaReader {
 
   /// Names of mathematics that formulas do not have. In a form they would silently be parameters.
   void refuse_name_of_mathematics(std::string_view name, std::size_t start) {
-    const auto& listed = names_.parameters;
-    if (std::find(listed.begin(), listed.end(), name) != listed.end()) return;
+    if (has(names_.parameters, name)) return;
     if (name == "ln") text_.fail("log for the natural logarithm, not 'ln'", start);
     if (name == "e" && (!names_.takes_parameters || begins_exponential()))
       text_.fail("exp(x) for e^x, not 'e'", start);
@@ -327,8 +329,7 @@ class FormulaReader {
     const std::size_t start = text_.place();
     const std::string_view name = text_.name();
     const bool is_before_parenthesis = text_.next() == '(';
-    if (std::find(names_.variables.begin(), names_.variables.end(), name) != names_.variables.end())
-      return Symbolic::variable(name);
+    if (has(names_.variables, name)) return Symbolic::variable(name);
     if (const auto found = names_.definitions.find(name); found != names_.definitions.end())
       return use(found->first, found->second);
     if (const auto constant = named_constant(name)) return *constant;
@@ -344,23 +345,19 @@ class FormulaReader {
     if (const NamedFormula* named =
             is_before_parenthesis && names_.takes_integrals ? find_formula(name) : nullptr)
       return use(std::string(name), named->definition);
-    if (std::find(bound_.begin(), bound_.end(), name) != bound_.end()) return Symbolic::variable(name);
-    if (std::find(past_.begin(), past_.end(), name) != past_.end())
-      text_.fail("'" + std::string(name) + "' inside its integral alone", start);
+    if (has(bound_, name)) return Symbolic::variable(name);
+    if (has(past_, name)) text_.fail("'" + std::string(name) + "' inside its integral alone", start);
     if (is_before_parenthesis && is_of_vectors(name)) refuse_vector(name, start);
     refuse_name_of_mathematics(name, start);
     if (may_be_parameter(name) && !(is_before_parenthesis && name.size() > 1)) {
-      if (std::find(parameters_.begin(), parameters_.end(), name) == parameters_.end())
-        parameters_.emplace_back(name);
+      if (!has(parameters_, name)) parameters_.emplace_back(name);
       return Symbolic::variable(name);
     }
     refuse(name, start);
   }
 
   bool may_be_parameter(std::string_view name) const {
-    const std::vector<std::string>& only = names_.parameters;
-    return names_.takes_parameters &&
-           (only.empty() || std::find(only.begin(), only.end(), name) != only.end());
+    return names_.takes_parameters && (names_.parameters.empty() || has(names_.parameters, name));
   }
 
   Symbolic call_of(std::string_view function, std::size_t start) {
@@ -417,11 +414,7 @@ class FormulaReader {
     text_.peek();
     const std::size_t start = text_.place();
     const std::string name(text_.name());
-    const auto has = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    const bool is_taken = has(names_.variables) || has(parameters_) || has(bound_) ||
-                          names_.definitions.contains(name) || !argument_counts(name).empty() ||
+    const bool is_taken = is_declared(name) || has(parameters_, name) || !argument_counts(name).empty() ||
                           named_constant(name) || name == "integral";
     if (name.empty() || is_taken) text_.fail("a new name for the variable of the integral", start);
     return name;

@@ -10,7 +10,6 @@
 #include "fit/formula/graph.hpp"
 #include "fit/formula/wide_loops.hpp"
 #include "fit/scalars/functions.hpp"
-#include "fit/scalars/jet.hpp"
 #include "fit/scalars/two_lanes.hpp"
 
 /// A formula as a flat program. It runs in every scalar, for one place or for many at a time.
@@ -30,8 +29,6 @@ template <class T>
 T constant_as(const Symbolic& expression, long double rounded) {
   if constexpr (std::floating_point<T> || std::same_as<T, TwoLanes>) {
     return static_cast<T>(rounded);
-  } else if constexpr (is_jet<T>) {
-    return T(constant_as<typename T::Scalar>(expression, rounded));
   } else {
     return evaluate<T>(expression, [](const std::string&) { return integer<T>(0); });
   }
@@ -66,22 +63,6 @@ class Tape {
   }
 
   std::size_t output(std::size_t i) const { return static_cast<std::size_t>(outputs_[i]); }
-
-  /// The outputs at one place.
-  template <class T>
-  std::vector<T> operator()(std::span<const T> inputs) const {
-    std::vector<T> values(register_count_, integer<T>(0));
-    values.insert(values.end(), inputs.begin(), inputs.end());
-    for (const T& constant : constants<T>()) values.push_back(constant);
-    std::vector<const T*> table;
-    std::vector<T*> registers;
-    for (T& value : values) table.push_back(&value);
-    for (std::size_t i = 0; i < register_count_; ++i) registers.push_back(&values[i]);
-    run_over<T>(table, registers, 1);
-    std::vector<T> result;
-    for (const int place : outputs_) result.push_back(values[static_cast<std::size_t>(place)]);
-    return result;
-  }
 
  private:
   template <class T>

@@ -125,7 +125,7 @@ class CurveTapes {
   template <class P>
   std::vector<T> run(TapeProgram<T>& program, const PanelOf<T>& panel, double s, const P& parameters) {
     inputs_[0] = panel.at(T(s));
-    std::copy_n(parameters.begin(), inputs_.size() - 1, inputs_.begin() + 1);
+    std::ranges::copy(parameters, inputs_.begin() + 1);
     program.run(inputs_);
     std::vector<T> result(outputs_);
     for (std::size_t i = 0; i < outputs_; ++i) result[i] = program.output(i);
@@ -194,8 +194,8 @@ class PanelCurve {
 
  private:
   template <class T>
-  PanelOf<T> panel_at(const SearchPlace& place, const std::array<T, most_parameters>& p) {
-    return panels_->at(place.panel, std::span(p).first(count_));
+  PanelOf<T> panel_at(const SearchPlace& place, const std::vector<T>& p) {
+    return panels_->at(place.panel, std::span(p));
   }
   /// A place beside a kink at the end of a panel, on the panel's side of it. At the kink itself rounding
   /// chooses the side whose slope a formula has.
@@ -206,13 +206,13 @@ class PanelCurve {
   /// The place moves with its panel, and the value changes by its slope there. At a kink the slopes of either
   /// side give the same.
   void move_with_panel(const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-    const std::vector<double> speeds = panels_->speeds(place.panel, place.s, std::span(p).first(count_));
+    const std::vector<double> speeds = panels_->speeds(place.panel, place.s, p);
     curvature_.run(inputs_at(place, p));
     for (std::size_t i = 0; i < count_; ++i) gradient[i] += curvature_.output(1) * speeds[i];
   }
   const std::vector<double>& inputs_at(const SearchPlace& place, const MinimaxParameters& p) {
     inputs_[0] = panel_at(place, p).at(place.s);
-    std::copy_n(p.begin(), count_, inputs_.begin() + 1);
+    std::ranges::copy(p, inputs_.begin() + 1);
     return inputs_;
   }
   double split(const std::vector<double>& outputs, Unknowns& gradient) const {

@@ -1,9 +1,12 @@
 #include "fit/rounding/lattice.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
+#include <utility>
 
 #include "approx/scalar.hpp"
 #include "fit/support/user_error.hpp"
@@ -14,26 +17,22 @@ namespace {
 /// 17 significant digits distinguish any two doubles.
 constexpr int digits_that_tell_apart = 17;
 
+using BinaryName = std::pair<NumberFormat::Kind, std::string_view>;
+constexpr std::array binary_formats{BinaryName{NumberFormat::Kind::half, HalfFormat::name},
+                                    BinaryName{NumberFormat::Kind::bfloat16, Bfloat16Format::name},
+                                    BinaryName{NumberFormat::Kind::single, FloatFormat::name}};
+
 }  // namespace
 
 std::string to_text(const NumberFormat& format) {
-  switch (format.kind) {
-    case NumberFormat::Kind::half:
-      return std::string(HalfFormat::name);
-    case NumberFormat::Kind::bfloat16:
-      return std::string(Bfloat16Format::name);
-    case NumberFormat::Kind::single:
-      return std::string(FloatFormat::name);
-    case NumberFormat::Kind::decimal:
-      return "decimal:" + std::to_string(format.digits);
-  }
-  return "";
+  const auto binary = std::ranges::find(binary_formats, format.kind, &BinaryName::first);
+  return binary == binary_formats.end() ? "decimal:" + std::to_string(format.digits)
+                                        : std::string(binary->second);
 }
 
 NumberFormat parse_number_format(const std::string& text) {
-  if (text == HalfFormat::name) return {NumberFormat::Kind::half};
-  if (text == Bfloat16Format::name) return {NumberFormat::Kind::bfloat16};
-  if (text == FloatFormat::name) return {NumberFormat::Kind::single};
+  const auto binary = std::ranges::find(binary_formats, text, &BinaryName::second);
+  if (binary != binary_formats.end()) return {binary->first};
   const std::string_view prefix = "decimal:";
   if (text.starts_with(prefix)) {
     int digits = 0;

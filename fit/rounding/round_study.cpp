@@ -26,21 +26,24 @@ struct RoundingTask {
 };
 
 /// Searches a lattice. `assess` adds its errors to a set.
-template <std::size_t N, class Lattice, class Problem, class Assess>
+template <class Lattice, class Problem, class Assess>
 RoundedStudy searched(const RoundingTask& asked, const Lattice& lattice, Problem& problem,
                       const Assess& assess) {
+  const std::size_t count = asked.study.parameters.size();
+  if (count > most_rounded_parameters)
+    throw UserError(asked.option + " takes at most " + std::to_string(most_rounded_parameters) +
+                    " parameters: the form has " + std::to_string(count));
   const auto point_of = [&](const std::vector<double>& values) {
-    LatticePoint<N> point;
-    std::ranges::copy(indices_of(lattice, values, asked.study.parameters, asked.option), point.begin());
-    return point;
+    const auto indices = indices_of(lattice, values, asked.study.parameters, asked.option);
+    return LatticePoint(indices.begin(), indices.end());
   };
-  const auto set_of = [&](const LatticePoint<N>& point) {
+  const auto set_of = [&](const LatticePoint& point) {
     RoundedStudySet set = set_at(lattice, point);
     assess(set);
     return set;
   };
   // Next to a pole there may be no bound.
-  const auto start_at = [&](const LatticePoint<N>& point) {
+  const auto start_at = [&](const LatticePoint& point) {
     try {
       return set_of(point);
     } catch (const CheckFailed&) {
@@ -49,12 +52,12 @@ RoundedStudy searched(const RoundingTask& asked, const Lattice& lattice, Problem
       return set;
     }
   };
-  std::vector<LatticePoint<N>> starts;
+  std::vector<LatticePoint> starts;
   for (const auto& values : fitted_values(asked.objective, asked.fit, asked.checkpoint))
     starts.push_back(point_of(values));
   if (!asked.published.empty()) starts.insert(starts.begin() + 1, point_of(asked.published));
-  const auto best = search_format<N>(lattice_problem<N>(problem), lattice.last(), starts, asked.format,
-                                     most_boxes_of_studies, asked.checkpoint);
+  const auto best = search_format(lattice_problem(problem), lattice.last(), starts, asked.format,
+                                  most_boxes_of_studies, asked.checkpoint);
   RoundedStudy result{.format = asked.format,
                       .best = set_of(best.point),
                       .naive = start_at(starts.front()),
@@ -63,18 +66,6 @@ RoundedStudy searched(const RoundingTask& asked, const Lattice& lattice, Problem
                       .evaluated = best.evaluated};
   if (!asked.published.empty()) result.published = start_at(starts[1]);
   return result;
-}
-
-/// `searched` for the number of the parameters of the study.
-template <std::size_t N = 1, class... Rest>
-RoundedStudy searched_for_all(const RoundingTask& asked, Rest&&... rest) {
-  const std::size_t count = asked.study.parameters.size();
-  if constexpr (N > most_rounded_parameters) {
-    throw UserError(asked.option + " takes at most " + std::to_string(most_rounded_parameters) +
-                    " parameters: the form has " + std::to_string(count));
-  } else {
-    return count == N ? searched<N>(asked, rest...) : searched_for_all<N + 1>(asked, rest...);
-  }
 }
 
 template <class Format>
@@ -90,9 +81,8 @@ RoundedStudy round_to_narrow(const RoundingTask& asked) {
   }
   auto in_format = study_in<Format>(asked.study, asked.option, asked.checkpoint);
   NarrowStudyProblem<Format> problem(asked.study, in_format);
-  RoundedStudy result = searched_for_all(asked, BinaryLattice<Format>{}, problem, [&](RoundedStudySet& set) {
-    add_errors(set, in_format, asked.checkpoint);
-  });
+  RoundedStudy result = searched(asked, BinaryLattice<Format>{}, problem,
+                                 [&](RoundedStudySet& set) { add_errors(set, in_format, asked.checkpoint); });
   if (!std::isfinite(result.best.max_error))
     throw CheckFailed(asked.option + ": no constants were found whose error is finite at " +
                       asked.study.axes.front().variable + " = " + decimal(result.best.at.front(), 6));
@@ -105,7 +95,7 @@ RoundedStudy round_to_wide(const RoundingTask& asked, const Lattice& lattice) {
     return has_bound(asked.objective, asked.study, values, asked.checkpoint);
   });
   const bool is_float = asked.format.kind == NumberFormat::Kind::single;
-  return searched_for_all(asked, lattice, problem, [&](RoundedStudySet& set) {
+  return searched(asked, lattice, problem, [&](RoundedStudySet& set) {
     add_proven_errors(set, asked.objective, asked.study, is_float, asked.checkpoint);
   });
 }

@@ -7,9 +7,6 @@
 /// The best constants of a study in a number format.
 namespace shadefit {
 
-/// The most parameters of a form whose constants are searched for.
-inline constexpr std::size_t most_rounded_parameters = 6;
-
 /// Searches a format for the constants with the smallest largest |weight * error| over the ranges: in half
 /// and bfloat16 that of the form evaluated in the format, at every number of it; in float and of decimals
 /// that of the form in real numbers. Held parameters stay as they are. `published` are values of the

@@ -66,15 +66,9 @@ std::vector<std::vector<double>> number_nodes(const ReadStudy& study) {
 
 /// The values of `node_variables` at every row.
 std::vector<std::vector<double>> row_nodes(const ReadStudy& study) {
-  const MeasuredRows& rows = *study.rows;
-  std::vector<std::vector<double>> nodes;
-  for (std::size_t row = 0; row < rows.value.size(); ++row) {
-    std::vector<double> node;
-    for (const auto& column : rows.places) node.push_back(column[row]);
-    node.push_back(rows.value[row]);
-    if (!rows.sigma.empty()) node.push_back(rows.sigma[row]);
-    nodes.push_back(std::move(node));
-  }
+  std::vector<std::vector<double>> nodes(study.rows->value.size());
+  for (const std::vector<double>* column : columns_of(*study.rows))
+    for (std::size_t row = 0; row < nodes.size(); ++row) nodes[row].push_back((*column)[row]);
   return nodes;
 }
 

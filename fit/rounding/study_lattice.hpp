@@ -46,14 +46,14 @@ class StudyTrials {
   }
 
   /// The largest of the least errors of all forms with constants in a box; stops from `best` up.
-  template <class Lattice, std::size_t N>
-  double least_error(const Lattice& lattice, const LatticeBox<N>& box, double best) {
+  template <class Lattice>
+  double least_error(const Lattice& lattice, const LatticeBox& box, double best) {
     double least = 0;
     for (std::size_t i = 0; i < trials_.size() && least < best; ++i) {
       const StudyTrial& trial = trials_[i];
       inputs_.clear();
       for (const double x : trial.at) inputs_.emplace_back(x);
-      for (std::size_t k = 0; k < N; ++k)
+      for (std::size_t k = 0; k < box.lower.size(); ++k)
         inputs_.emplace_back(lattice.value(box.lower[k]), lattice.value(box.upper[k]));
       form_.run(inputs_);
       const auto& form = form_.output(0);
@@ -70,8 +70,8 @@ class StudyTrials {
   std::vector<StudyTrial> trials_;
 };
 
-template <class Lattice, std::size_t N>
-std::vector<double> values_at(const Lattice& lattice, const LatticePoint<N>& point) {
+template <class Lattice>
+std::vector<double> values_at(const Lattice& lattice, const LatticePoint& point) {
   std::vector<double> values;
   for (const std::int64_t index : point) values.push_back(lattice.value(index));
   return values;
@@ -91,13 +91,9 @@ class NarrowStudyProblem {
     }
   }
 
-  template <std::size_t N>
-  double bound(const LatticeBox<N>& box, double best) {
-    return trials_.least_error(lattice_, box, best);
-  }
+  double bound(const LatticeBox& box, double best) { return trials_.least_error(lattice_, box, best); }
 
-  template <std::size_t N>
-  double error(const LatticePoint<N>& point, double best) {
+  double error(const LatticePoint& point, double best) {
     const ErrorInFormat worst = in_format_.largest_error(values_at(lattice_, point), best);
     add_trial(*std::ranges::lower_bound(in_format_.places(), worst.at, {}, &PlaceInFormat::variables));
     return worst.magnitude;
@@ -131,13 +127,13 @@ class StudyPoles {
   }
 
   /// Whether all constants of a box have a pole.
-  template <class Lattice, std::size_t N>
-  bool are_in_all(const Lattice& lattice, const LatticeBox<N>& box) {
+  template <class Lattice>
+  bool are_in_all(const Lattice& lattice, const LatticeBox& box) {
     return std::ranges::any_of(denominators_, [&](auto& denominator) {
       bool is_below = false, is_above = false;
       for (const double end : ends_) {
         std::vector<Bounds> inputs{Bounds(end)};
-        for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t k = 0; k < box.lower.size(); ++k)
           inputs.emplace_back(lattice.value(box.lower[k]), lattice.value(box.upper[k]));
         denominator.run(inputs);
         is_below = is_below || denominator.output(0).upper() < 0;
@@ -175,15 +171,13 @@ class RealStudyProblem {
       add_trial(place);
   }
 
-  template <std::size_t N>
-  double bound(const LatticeBox<N>& box, double best) {
+  double bound(const LatticeBox& box, double best) {
     if (poles_.are_in_all(lattice_, box)) return unbounded;
     constexpr double below = 1 - 0x1p-51;  // a difference and a product are rounded
     return below * trials_.least_error(lattice_, box, best);
   }
 
-  template <std::size_t N>
-  double error(const LatticePoint<N>& point, double best) {
+  double error(const LatticePoint& point, double best) {
     const std::vector<double> values = values_at(lattice_, point);
     const StudyExtremum worst = largest_weighted_error(study_, values);
     if (std::isnan(worst.magnitude)) return unbounded;

@@ -69,6 +69,10 @@ struct OutwardArithmetic {
     const bool has_top = x.lower <= 0 && 0 <= x.upper;
     return widened({std::min(p, q), has_top ? 0 : std::max(p, q)}, 8);
   }
+  template <Ends (*real)(Ends)>
+  static Ends other(Ends x) {
+    return real(x);
+  }
   /// A number lies within half an ulp of its double.
   static Ends number(double x, bool is_exact) { return is_exact ? Ends{x, x} : widened({x, x}, 1); }
 
@@ -111,48 +115,26 @@ struct CorrectArithmetic {
   static Ends power(Ends corners) {
     return basic({corners.lower * (1 - slack), corners.upper * (1 + slack)});
   }
-  static Ends expm1(Ends x) { return of<OutwardArithmetic::expm1>(x); }
-  static Ends log1p(Ends x) { return of<OutwardArithmetic::log1p>(x); }
-  static Ends log1p_remainder(Ends x) { return of<OutwardArithmetic::log1p_remainder>(x); }
-  static Ends erf(Ends x) { return of<OutwardArithmetic::erf>(x); }
-  static Ends erfc(Ends x) { return of<OutwardArithmetic::erfc>(x); }
-  static Ends sin(Ends x) { return of<OutwardArithmetic::sin>(x); }
-  static Ends cos(Ends x) { return of<OutwardArithmetic::cos>(x); }
-  static Ends tan(Ends x) { return of<OutwardArithmetic::tan>(x); }
-  static Ends asin(Ends x) { return of<OutwardArithmetic::asin>(x); }
-  static Ends acos(Ends x) { return of<OutwardArithmetic::acos>(x); }
-  static Ends atan(Ends x) { return of<OutwardArithmetic::atan>(x); }
-  static Ends sinh(Ends x) { return of<OutwardArithmetic::sinh>(x); }
-  static Ends cosh(Ends x) { return of<OutwardArithmetic::cosh>(x); }
-  static Ends tanh(Ends x) { return of<OutwardArithmetic::tanh>(x); }
-  static Ends floor(Ends x) { return of<OutwardArithmetic::floor>(x); }
+  static Ends sin(Ends x) { return other<OutwardArithmetic::sin>(x); }
+  static Ends cos(Ends x) { return other<OutwardArithmetic::cos>(x); }
+  static Ends floor(Ends x) { return other<OutwardArithmetic::floor>(x); }
   static Ends atan2(Ends y, Ends x) { return basic(OutwardArithmetic::atan2(y, x)); }
+  /// A function of the GNU C library in double, rounded. The enclosure of the real function contains what
+  /// the library returns. Of an operand that may be NaN, the result may be NaN too.
+  template <Ends (*real)(Ends)>
+  static Ends other(Ends x) {
+    return x.lower == -unbounded && x.upper == unbounded ? x : basic(real(x));
+  }
   static Ends number(double x, bool) { return basic({x, x}); }
 
  private:
   static constexpr double slack = 0x1p-51;
-
-  /// A function of the GNU C library in double, rounded. The enclosure of the real function contains what
-  /// the library returns. Of an operand that may be NaN, the result may be NaN too.
-  template <Ends (*real)(Ends)>
-  static Ends of(Ends x) {
-    return x.lower == -unbounded && x.upper == unbounded ? x : basic(real(x));
-  }
-};
-
-/// Functions about which nothing is known.
-struct UnknownFunctions {
-  static Ends anything(Ends) { return {-unbounded, unbounded}; }
-  static Ends atan2(Ends x, Ends) { return anything(x); }
-  static constexpr auto expm1 = anything, log1p = anything, log1p_remainder = anything, erf = anything,
-                        erfc = anything, tan = anything, asin = anything, acos = anything, atan = anything,
-                        sinh = anything, cosh = anything, tanh = anything;
 };
 
 /// A GPU that computes in a format, with the errors of `usual_gpu`. Functions, quotients and roots are made
 /// in float. A narrower format may round these floats or cut them off.
 template <class Format>
-struct GpuArithmetic : UnknownFunctions {
+struct GpuArithmetic {
   static constexpr bool contracts = true;
   static constexpr double unit_roundoff = power_of_two(-Format::digits);
   static Ends operand(Ends x) { return flushed<Format>(x); }
@@ -178,6 +160,12 @@ struct GpuArithmetic : UnknownFunctions {
   static Ends sin(Ends x) { return wave(x, OutwardArithmetic::sin(x)); }
   static Ends cos(Ends x) { return wave(x, OutwardArithmetic::cos(x)); }
   static Ends floor(Ends x) { return OutwardArithmetic::floor(x); }
+  static Ends atan2(Ends, Ends) { return {-unbounded, unbounded}; }
+  /// A function about which nothing is known.
+  template <Ends (*real)(Ends)>
+  static Ends other(Ends) {
+    return {-unbounded, unbounded};
+  }
   static Ends power_by_logarithm(Ends x, Ends p) {
     return narrowed(rounded<FloatFormat>(gpu_power(x, p, usual_gpu)));
   }

@@ -60,8 +60,7 @@ class NarrowResult {
   explicit NarrowResult(double operand) : value_(operand) {}
   explicit operator double() const { return value_; }
 
-  /// The nearest number of the format, ties to even: for half the same as `round_to_half`, in a tenth of its
-  /// time.
+  /// The nearest number of the format, ties to even.
   ///
   /// Numbers of the size of x are multiples of q = 2^(e-p+1), p the digits, where 2^e <= |x| < 2^(e+1), e at
   /// least that of the least normal number (subnormals lie as dense). |x/q| < 2^p is exact. Adding 3 * 2^51

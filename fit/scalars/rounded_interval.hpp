@@ -154,23 +154,23 @@ struct Scalar<RoundedInterval<Arithmetic>> {
   static T exp2(const T& x) { return T::template of<Arithmetic::exp2>(x); }
   static T log(const T& x) { return T::template of<Arithmetic::log>(x); }
   static T log2(const T& x) { return T::template of<Arithmetic::log2>(x); }
-  static T log1p(const T& x) { return T::template of<Arithmetic::log1p>(x); }
+  static T log1p(const T& x) { return other<OutwardArithmetic::log1p>(x); }
   static T sqrt(const T& x) { return T::template of<Arithmetic::sqrt>(x); }
   static T power(const T& x, const T& p) { return T::power(x, p); }
-  static T expm1(const T& x) { return T::template of<Arithmetic::expm1>(x); }
-  static T log1p_remainder(const T& x) { return T::template of<Arithmetic::log1p_remainder>(x); }
-  static T erf(const T& x) { return T::template of<Arithmetic::erf>(x); }
-  static T erfc(const T& x) { return T::template of<Arithmetic::erfc>(x); }
+  static T expm1(const T& x) { return other<OutwardArithmetic::expm1>(x); }
+  static T log1p_remainder(const T& x) { return other<OutwardArithmetic::log1p_remainder>(x); }
+  static T erf(const T& x) { return other<OutwardArithmetic::erf>(x); }
+  static T erfc(const T& x) { return other<OutwardArithmetic::erfc>(x); }
   static T sin(const T& x) { return T::template of<Arithmetic::sin>(x); }
   static T cos(const T& x) { return T::template of<Arithmetic::cos>(x); }
-  static T tan(const T& x) { return T::template of<Arithmetic::tan>(x); }
-  static T asin(const T& x) { return T::template of<Arithmetic::asin>(x); }
-  static T acos(const T& x) { return T::template of<Arithmetic::acos>(x); }
-  static T atan(const T& x) { return T::template of<Arithmetic::atan>(x); }
+  static T tan(const T& x) { return other<OutwardArithmetic::tan>(x); }
+  static T asin(const T& x) { return other<OutwardArithmetic::asin>(x); }
+  static T acos(const T& x) { return other<OutwardArithmetic::acos>(x); }
+  static T atan(const T& x) { return other<OutwardArithmetic::atan>(x); }
   static T atan2(const T& y, const T& x) { return T::template of_two<Arithmetic::atan2>(y, x); }
-  static T sinh(const T& x) { return T::template of<Arithmetic::sinh>(x); }
-  static T cosh(const T& x) { return T::template of<Arithmetic::cosh>(x); }
-  static T tanh(const T& x) { return T::template of<Arithmetic::tanh>(x); }
+  static T sinh(const T& x) { return other<OutwardArithmetic::sinh>(x); }
+  static T cosh(const T& x) { return other<OutwardArithmetic::cosh>(x); }
+  static T tanh(const T& x) { return other<OutwardArithmetic::tanh>(x); }
   static T floor(const T& x) { return T::template of<Arithmetic::floor>(x); }
 
   static Certainty less(const T& a, const T& b) {
@@ -199,6 +199,11 @@ struct Scalar<RoundedInterval<Arithmetic>> {
   static bool is_zero(const T& x) { return x.lower() == 0 && x.upper() == 0; }
 
  private:
+  /// A function that an arithmetic makes of that of real numbers.
+  template <Ends (*real)(Ends)>
+  static T other(const T& x) {
+    return T::template of<Arithmetic::template other<real>>(x);
+  }
   static T number(double x, bool is_exact) {
     const Ends ends = Arithmetic::number(x, is_exact);
     return T::number(ends.lower, ends.upper);

@@ -5,7 +5,8 @@
 #include <iterator>
 #include <string>
 
-#include "fit/formula/tape_in_50_digits.hpp"
+#include "fit/formula/tape_program.hpp"
+#include "fit/scalars/multiprecision.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decompositions.hpp"
 

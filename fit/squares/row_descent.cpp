@@ -72,9 +72,8 @@ std::optional<RowStep> row_step(const RowErrors& at, const RowStage& stage, cons
   const auto found = least_step(hessian, Vector::Unit(n + 1, n), conditions);
   if (!found || !found->step.allFinite()) return std::nullopt;
 
-  RowStep result{at.parameters, found->step[n] * at.largest, {}};
   const Vector moved = model.steps * found->step.head(n);
-  for (std::size_t j = 0; j < result.to.size(); ++j) result.to[j] += moved[static_cast<Eigen::Index>(j)];
+  RowStep result{moved_by(moved, at.parameters), found->step[n] * at.largest, {}};
   double sum = 0;
   for (const ActiveCondition& active : found->active)
     if (!rows[active.condition].held) sum += active.multiplier;
@@ -93,11 +92,7 @@ std::optional<RowStep> row_step(const RowErrors& at, const RowStage& stage, cons
 /// optimization", Lecture Notes in Mathematics 912.
 RowErrors bent(const RowErrors& at, const RowErrors& trial) {
   RowErrors result = at;
-  Vector step(at.slopes.cols());
-  for (Eigen::Index j = 0; j < step.size(); ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    step[j] = trial.parameters[k] - at.parameters[k];
-  }
+  const Vector step = vector_of(trial.parameters) - vector_of(at.parameters);
   result.errors = trial.errors - at.slopes * step;
   return result;
 }

@@ -118,9 +118,8 @@ Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
       const double scaled = c.gradient[j] * scale[j];
       square += scaled * scaled;
     }
-    WideParameters wide{};
-    std::ranges::copy(parameters, wide.begin());
-    const auto finer = static_cast<double>(curve_of(Touch::exact).wide(place, wide));
+    const auto finer =
+        static_cast<double>(curve_of(Touch::exact).wide(place, {parameters.begin(), parameters.end()}));
     // 0, or the rounding of 0: sin(pi x) at 1.
     if (std::abs(c.value) <= 2 * std::abs(c.value - finer))
       return i > 0 || square > 0 ? CanBe::exact : CanBe::exact_for_all;
@@ -142,8 +141,7 @@ std::string Contacts::hold_exact() {
     const MinimaxParameters start = parameters;
     const CanBe found = can_be_exact(place);
     parameters = start;
-    if (found == CanBe::never)
-      return "the form cannot be exact at c = " + to_text(problem_.cosine_at(place).cos_theta);
+    if (found == CanBe::never) return "the form cannot be exact at " + place_text(place);
     if (found == CanBe::exact) exact_.push_back(place);
   }
   return exact_.size() > problem_.size ? "more places to be exact at than free parameters" : "";
@@ -349,17 +347,17 @@ std::string Contacts::most_violated() const {
   if (worst == nullptr) return "satisfy the constraints";
   if (is_of_slope(worst->touch)) {
     const std::string course = worst->touch == Touch::rises ? "rising" : "falling";
-    return "keep the form " + course + " at c = " + place_text(*worst);
+    return "keep the form " + course + " at " + place_text(worst->place);
   }
   const std::string relation = sign_of(worst->touch) > 0 ? "<= " : ">= ";
   const std::string bound = worst->touch == Touch::at_most    ? to_text(*problem_.at_most)
                             : worst->touch == Touch::at_least ? to_text(*problem_.at_least)
                                                               : "target";
-  return "keep the form " + relation + bound + " at c = " + place_text(*worst);
+  return "keep the form " + relation + bound + " at " + place_text(worst->place);
 }
 
-std::string Contacts::place_text(const Contact& c) const {
-  return to_text(problem_.cosine_at(c.place).cos_theta);
+std::string Contacts::place_text(const SearchPlace& place) const {
+  return problem_.variable + " = " + to_text(problem_.cosine_at(place).cos_theta);
 }
 
 }  // namespace shadefit

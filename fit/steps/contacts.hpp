@@ -85,7 +85,8 @@ class Contacts {
   std::string most_violated() const;
   /// Whether a constraint is violated where no parameter moves its curve.
   bool is_violation_fixed() const;
-  std::string place_text(const Contact& c) const;
+  /// "x = 0.5"
+  std::string place_text(const SearchPlace& place) const;
 
  private:
   enum class CanBe { exact, exact_for_all, never };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 /// The digits of a fit.
@@ -15,6 +17,10 @@ inline constexpr double settled = 2e-15;
 inline constexpr int most_digits = 14;
 
 /// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
-int correct_digits(long double relative_step);
+inline int correct_digits(long double relative_step) {
+  if (std::isnan(relative_step)) return 0;
+  const long double digits = std::floor(-std::log10(relative_step));  // infinite for a step of 0
+  return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
+}
 
 }  // namespace shadefit

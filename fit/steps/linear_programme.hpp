@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <span>
 
+#include "fit/steps/sums.hpp"
+
 /// The linear programme of a minimax fit: the lowest level under conditions that are linear in a step of the
 /// parameters, solved by exchanging one condition of a reference at a time.
 namespace shadefit {
 
-/// The most parameters of a form with a minimax fit.
-inline constexpr std::size_t most_parameters = 16;
-inline constexpr std::size_t most_unknowns = most_parameters + 1;
+/// The parameters of a form and the level.
+inline constexpr std::size_t most_unknowns = most_fitted + 1;
 
 using Unknowns = std::array<double, most_unknowns>;
 

@@ -23,7 +23,7 @@ constexpr double largest_rounding = 0.1;
 class RemezExchange {
  public:
   RemezExchange(const MinimaxProblem& problem, const MinimaxParameters& start)
-      : problem_(problem), here_(problem, start) {}
+      : problem_(problem), here_(problem, start), counted_(start.size()) {}
 
   MinimaxOptimum solve() {
     const std::string why = here_.hold_exact();
@@ -55,13 +55,13 @@ class RemezExchange {
   /// Finds the extrema, takes the step of their linear programme, and repeats until the step is negligible. A
   /// step that does not lower the merit is halved.
   bool descend() {
-    MinimaxParameters base = here_.parameters, step{};
+    MinimaxParameters base = here_.parameters, step(problem_.size);
     double best = HUGE_VAL, scale = 1, size = 1;
-    for (; result_.iterations < most_steps; ++result_.iterations) {
+    for (int pass = 0; pass < most_steps; ++pass) {
       here_.look();
-      if (result_.iterations == 0 && here_.is_impossible()) return fail_to_satisfy();
+      if (pass == 0 && here_.is_impossible()) return fail_to_satisfy();
       if (!(merit() < best)) {
-        if (result_.iterations == 0) return fail(Status::not_finite, "the error at the start is not finite");
+        if (pass == 0) return fail(Status::not_finite, "the error at the start is not finite");
         scale /= 2;
         if (scale < 1e-3) return stall(best, size) && go_to(base, step);
         for (std::size_t i = 0; i < problem_.size; ++i) here_.parameters[i] = base[i] + scale * step[i];
@@ -110,10 +110,8 @@ class RemezExchange {
       // A step that is small beside a parameter may be large beside what the error sees of it: 4 + 1e-8 for
       // the lobe of k = 1e8. Then the programme still promises a lower level.
       constexpr double same_level = 1e-6, roundings = 1e-15;
-      if (size < last_step && (size < roundings || best - expected_ < same_level * best)) {
-        ++result_.iterations;
+      if (size < last_step && (size < roundings || best - expected_ < same_level * best))
         return !leads_out_ || stop_at_border();
-      }
     }
     if (leads_out_) return stop_at_border();
     return fail(Status::not_converged,
@@ -172,10 +170,9 @@ class RemezExchange {
   void settle() {
     for (std::size_t i = 0; i < here_.unknowns(); ++i) {
       if (reference_[i].touch != Touch::exact && !(multipliers_[i] > no_multiplier)) {
-        fail(Status::degenerate,
-             "the alternation is degenerate: of its " + std::to_string(here_.unknowns()) +
-                 " places that at c = " + to_text(problem_.cosine_at(reference_[i].place).cos_theta) +
-                 " holds nothing up");
+        fail(Status::degenerate, "the alternation is degenerate: of its " + std::to_string(here_.unknowns()) +
+                                     " places that at " + here_.place_text(reference_[i].place) +
+                                     " holds nothing up");
         return;
       }
     }
@@ -183,8 +180,7 @@ class RemezExchange {
     // One pass is usual, and a second confirms it.
     for (int pass = 0; pass < 5; ++pass) {
       SmallMatrix matrix{}, inverse{};
-      WideParameters wide{};
-      std::ranges::copy(here_.parameters, wide.begin());
+      const WideParameters wide(here_.parameters.begin(), here_.parameters.end());
       std::array<long double, most_unknowns> values{};
       long double level = 0;
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
@@ -229,25 +225,19 @@ class RemezExchange {
       result_.digits = correct_digits(size);
       // Half a unit in the last place of a double is 1.1e-16; a step of more than a few of these is taken
       // once.
-      if (size <= static_cast<long double>(pass == 0 ? 3e-16 : settled)) {
-        result_.status = Status::converged;
-        record();
-        return;
-      }
+      if (size <= static_cast<long double>(pass == 0 ? 3e-16 : settled)) return record();
       for (std::size_t i = 0; i < problem_.size; ++i)
         here_.parameters[i] = static_cast<double>(wide[i] + step[i]);
-      ++result_.iterations;
     }
-    if (size <= problem_.largest_step) {
-      result_.status = Status::converged;
-      record();
-      return;
-    }
+    // The text of a form may cancel digits. Then fewer digits are right, as in least squares.
+    constexpr long double largest_step = 1e-6L;
+    if (size <= largest_step) return record();
     fail(Status::not_converged, "Newton's last step is still " + to_text(static_cast<double>(size)) +
                                     " of a parameter: the problem has no 14 digits in this arithmetic");
   }
 
   void record() {
+    result_.status = Status::converged;
     // What moves the error by no more than its rounding in double is the rounding of 0.
     for (std::size_t i = 0; i < problem_.size; ++i) {
       if (std::abs(here_.parameters[i]) * steepest(i) <= rounding_) here_.parameters[i] = 0;
@@ -266,7 +256,7 @@ class RemezExchange {
   Contacts here_;
   Few<Contact> reference_;
   Unknowns multipliers_{};
-  MinimaxParameters counted_{};
+  MinimaxParameters counted_;
   double penalty_ = 1;
   double rounding_ = 0;     ///< the largest error of double where the error alternates
   double expected_ = 0;     ///< the level promised by the last programme

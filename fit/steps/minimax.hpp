@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -24,9 +23,8 @@
 /// near its start. It is not proven to be the best of all, and the search is sampled.
 namespace shadefit {
 
-/// Parameters beyond those of the form are not used.
-using MinimaxParameters = std::array<double, most_parameters>;
-using WideParameters = std::array<long double, most_parameters>;
+using MinimaxParameters = std::vector<double>;
+using WideParameters = std::vector<long double>;
 
 /// A place of the search: s in [0, 1] on one of the panels of the domain.
 struct SearchPlace {
@@ -55,6 +53,7 @@ struct MinimaxCurve {
 struct MinimaxProblem {
   std::size_t size = 0;             ///< free parameters
   std::vector<SearchPlace> places;  ///< by panel, then by s
+  std::string variable;             ///< its name, for messages
   std::function<Cosine<double>(const SearchPlace&)> cosine_at;
   MinimaxCurve error;
   /// The curve that `at_most` and `at_least` bound, and the curve that is 0 where the form equals its target.
@@ -70,18 +69,14 @@ struct MinimaxProblem {
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
   std::optional<Course> monotone = std::nullopt;
   std::vector<SearchPlace> exact_at = {};
-  /// If Newton does not settle, an answer still counts whose last step is at most this share of each
-  /// parameter: `digits` says how much of it is right.
-  long double largest_step = 0;
   std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
 };
 
 struct MinimaxOptimum {
   MinimaxParameters parameters{};
   Status status = Status::not_converged;
-  int iterations = 0;  ///< exchanges and the Newton steps after them
-  int digits = 0;      ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
-  double level = 0;    ///< the largest |weight * error|
+  int digits = 0;    ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
+  double level = 0;  ///< the largest |weight * error|
   std::vector<AlternationPoint> alternation = {};  ///< in falling order of the cosine
   std::string why = {};                            ///< where it did not converge, in words
 };

@@ -16,11 +16,6 @@ using ParameterVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, most_fitted, 1>;
 template <class T>
 using ParameterMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, most_fitted, most_fitted>;
 
-template <class T>
-std::span<const T> values_of(const ParameterVector<T>& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-
 inline ParameterVector<double> vector_of(std::span<const double> values) {
   return Eigen::Map<const ParameterVector<double>>(values.data(), static_cast<Eigen::Index>(values.size()));
 }

@@ -111,54 +111,35 @@ std::vector<StudyAxis> axes_of(const Study& study) {
   return axes;
 }
 
-/// The definitions that each name stands for, by their places.
-using DefinitionPlaces = std::map<std::string, std::size_t, std::less<>>;
-
-/// The definitions that a definition uses, the last first.
-std::vector<std::size_t> used_by(const StudyDefinition& definition, const DefinitionPlaces& places) {
-  std::vector<std::size_t> used;
-  for (const std::string& name : names_in(definition.formula)) {
-    const auto found = places.find(name);
-    if (found != places.end() && !contains(definition.arguments, name)) used.push_back(found->second);
-  }
-  std::reverse(used.begin(), used.end());
-  return used;
-}
-
 /// Refuses definitions that use each other in a ring, by their names: "f, g, f". The name that a ring lacks
 /// where it is read is known elsewhere.
-void refuse_ring(const std::vector<StudyDefinition>& all) {
-  struct Step {
-    std::size_t definition;
-    std::vector<std::size_t> left;  ///< that it uses, and that were not followed yet
-  };
-  DefinitionPlaces places;
-  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
-  std::vector<bool> is_seen(all.size());
-  for (std::size_t first = 0; first < all.size(); ++first) {
-    std::vector<Step> way;
-    const auto follow = [&](std::size_t next) {
-      if (!is_seen[next]) way.push_back({next, used_by(all[next], places)});
-      is_seen[next] = true;
-    };
-    for (follow(first); !way.empty();) {
-      std::vector<std::size_t>& left = way.back().left;
-      if (left.empty()) {
-        way.pop_back();
-        continue;
-      }
-      const std::size_t next = left.back();
-      left.pop_back();
-      auto step = std::ranges::find(way, next, &Step::definition);
-      const std::string& name = all[next].name;
-      std::string ring;
-      for (; step != way.end(); ++step) ring += all[step->definition].name + ", ";
-      if (!ring.empty())
-        throw StudyFault({"--let", name}, quoted(name) + " is defined by itself: " + ring + name);
-      follow(next);
-    }
+class Rings {
+ public:
+  explicit Rings(const std::vector<StudyDefinition>& all) {
+    for (const StudyDefinition& definition : all) definitions_.emplace(definition.name, &definition);
+    for (const StudyDefinition& definition : all) follow(definition.name);
   }
-}
+
+ private:
+  /// The recursion is as deep as the definitions are many, which are limited.
+  void follow(const std::string& name) {
+    const auto known = definitions_.find(name);
+    if (known == definitions_.end()) return;
+    std::string ring;
+    for (auto step = std::ranges::find(way_, name); step != way_.end(); ++step) ring += *step + ", ";
+    if (!ring.empty())
+      throw StudyFault({"--let", name}, quoted(name) + " is defined by itself: " + ring + name);
+    if (!seen_.insert(name).second) return;
+    way_.push_back(name);
+    for (const std::string& used : names_in(known->second->formula))
+      if (!contains(known->second->arguments, used)) follow(used);
+    way_.pop_back();
+  }
+
+  std::map<std::string, const StudyDefinition*> definitions_;
+  std::set<std::string> seen_;
+  std::vector<std::string> way_;
+};
 
 /// Reads a definition; `names` has those before it. Restores `names`.
 Definition read_definition(const StudyDefinition& definition, const Study& study, FormulaNames& names) {
@@ -200,7 +181,7 @@ FormulaNames names_of(const Study& study, const std::vector<std::string>& variab
     try {
       names.definitions.emplace(definition.name, read_definition(definition, study, names));
     } catch (const StudyFault&) {
-      refuse_ring(study.definitions);
+      const Rings refused(study.definitions);
       throw;
     }
   }

@@ -31,6 +31,7 @@ class HingeCurve {
  public:
   HingeCurve(const Symbolic& formula, std::span<const StudyAxis> axes)
       : program_(tape_of(formula, last_first(axes), 1), {}),
+        enclosed_(program_.tape(), {}),
         values_(axes.size()),
         is_smooth_(hinges_of(formula).empty()) {}
 
@@ -44,23 +45,6 @@ class HingeCurve {
     program_.run(values_);
     return program_.output(0);
   }
-  /// The values at many places.
-  std::vector<double> values(const std::vector<double>& places) const {
-    const Tape& tape = program_.tape();
-    const std::size_t count = places.size();
-    std::vector<std::vector<double>> rows(tape.register_count(), std::vector<double>(count));
-    std::vector<double*> registers;
-    for (auto& row : rows) registers.push_back(row.data());
-    std::vector<std::vector<double>> fixed;
-    for (const double before : std::span(values_).subspan(1)) fixed.emplace_back(count, before);
-    for (const double constant : tape.constants<double>()) fixed.emplace_back(count, constant);
-    std::vector<const double*> table(registers.begin(), registers.end());
-    table.push_back(places.data());
-    for (const auto& row : fixed) table.push_back(row.data());
-    tape.run_over<double>(table, registers, count);
-    const double* first = table[tape.output(0)];
-    return {first, first + count};
-  }
   double slope(double x) {
     value(x);
     return program_.output(1);
@@ -70,16 +54,19 @@ class HingeCurve {
     bool may_be_zero;  ///< whether some value is 0 or rounding
     bool is_monotone;  ///< certainly
   };
-  Range range(double lower, double upper) const {
-    using Enclosure = RoundedInterval<OutwardArithmetic>;
+  Range range(double lower, double upper) {
     std::vector<Enclosure> inputs(values_.begin(), values_.end());
     inputs.front() = Enclosure(lower, upper);
-    const std::vector<Enclosure> found = program_.tape()(std::span<const Enclosure>(inputs));
-    const auto has_zero = [](const Enclosure& e) { return e.lower() <= 0 && 0 <= e.upper(); };
-    return {has_zero(found[0]), is_smooth_ && !has_zero(found[1])};
+    enclosed_.run(inputs);
+    const auto has_zero = [&](std::size_t i) {
+      return enclosed_.output(i).lower() <= 0 && 0 <= enclosed_.output(i).upper();
+    };
+    return {has_zero(0), is_smooth_ && !has_zero(1)};
   }
 
  private:
+  using Enclosure = RoundedInterval<OutwardArithmetic>;
+
   static std::vector<std::string> last_first(std::span<const StudyAxis> axes) {
     std::vector<std::string> names{axes.back().variable};
     for (const StudyAxis& axis : axes.first(axes.size() - 1)) names.push_back(axis.variable);
@@ -87,6 +74,7 @@ class HingeCurve {
   }
 
   TapeProgram<double> program_;
+  TapeProgram<Enclosure> enclosed_;
   std::vector<double> values_;
   bool is_smooth_;
 };
@@ -126,10 +114,12 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
       is_monotone && std::isfinite(part.value(axis.lower)) && std::isfinite(part.value(axis.upper));
   const std::vector<double> places =
       has_ends_only ? std::vector{axis.lower, axis.upper} : places_on(axis.lower, axis.upper);
-  const std::vector<double> values = part.values(places);
+  std::vector<double> values;
   double largest = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  for (const double x : places) {
+    values.push_back(part.value(x));
+    if (std::isfinite(values.back())) largest = std::max(largest, std::abs(values.back()));
+  }
   const int power = hinge.is_root ? power_at_root : 1;
   // The zero that is nearest by the slope is at the place, up to rounding: 1 + exp(x) is small beside its
   // largest value, but its zero is far.
@@ -166,6 +156,12 @@ void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
         edges.push_back({x, power});
     }
   }
+}
+
+/// The same of a hinge of one variable.
+void append_zeros(const Hinge& hinge, const StudyAxis& axis, std::vector<StudyEdge>& edges) {
+  HingeCurve part(hinge.part, std::span(&axis, 1));
+  append_zeros(hinge, part, axis, edges);
 }
 
 /// Sorts edges and merges those that differ by rounding. The ends stay where they are.
@@ -333,10 +329,8 @@ std::vector<Symbolic> moving_kinks(const ReadStudy& study) {
 
 std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> edges,
                                   const std::vector<Symbolic>& formulas) {
-  for (const Symbolic& formula : formulas) {
-    HingeCurve part(formula, std::span(&axis, 1));
-    append_zeros({.part = formula, .is_root = false, .is_pole = false}, part, axis, edges);
-  }
+  for (const Symbolic& formula : formulas)
+    append_zeros({.part = formula, .is_root = false, .is_pole = false}, axis, edges);
   return merged(axis, std::move(edges));
 }
 
@@ -351,8 +345,7 @@ Symbolic at_parameters(const ReadStudy& study, const Symbolic& formula,
 
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
   std::vector<StudyEdge> edges;
-  HingeCurve part(formula, std::span(&axis, 1));
-  append_zeros({.part = formula, .is_root = true, .is_pole = false}, part, axis, edges);
+  append_zeros({.part = formula, .is_root = true, .is_pole = false}, axis, edges);
   std::vector<double> zeros;
   for (const StudyEdge& edge : edges) zeros.push_back(edge.at);
   return zeros;
@@ -365,25 +358,20 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
     return names.size() == 1 && names.contains(axis.variable);
   };
   for (const Hinge& hinge :
-       hinges_where({&study.target, &study.form, &study.weight, &axis.density}, is_of_axis)) {
-    HingeCurve part(hinge.part, std::span(&axis, 1));
-    append_zeros(hinge, part, axis, edges);
-  }
+       hinges_where({&study.target, &study.form, &study.weight, &axis.density}, is_of_axis))
+    append_zeros(hinge, axis, edges);
   for (const Hinge& hinge : hinges_at_later_ends(study, index)) {
     if (!is_of_axis(free_variables(hinge.part))) continue;
-    HingeCurve part(hinge.part, std::span(&axis, 1));
     std::vector<StudyEdge> found;
-    append_zeros({hinge.part, true, hinge.is_pole}, part, axis, found);
+    append_zeros({hinge.part, true, hinge.is_pole}, axis, found);
     for (const StudyEdge& edge : found) {
       const bool is_end = edge.at == axis.lower || edge.at == axis.upper;
       if (hinge.is_root || !is_end) edges.push_back(edge);
     }
   }
   // A relative error is 0/0 at a zero of the target. As an end of panels it has a limit from either side.
-  if (study.error == Error::relative && is_of_axis(free_variables(study.target))) {
-    HingeCurve target(study.target, std::span(&axis, 1));
-    append_zeros({.part = study.target, .is_root = false, .is_pole = false}, target, axis, edges);
-  }
+  if (study.error == Error::relative && is_of_axis(free_variables(study.target)))
+    append_zeros({.part = study.target, .is_root = false, .is_pole = false}, axis, edges);
   return with_cuts(axis, merged(axis, std::move(edges)));
 }
 

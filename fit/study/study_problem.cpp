@@ -56,50 +56,31 @@ Symbolic error_factor(const ReadStudy& study) {
   return study.error == Error::relative ? study.weight / study.target : study.weight;
 }
 
-struct StudyError::Parts {
-  Parts(const ReadStudy& study, IntegralRule rule)
-      : graph(formula_inputs(study), rule), variables(node_variables(study).size()) {
-    const int error = graph.add(error_formula(study));
-    gradient = {error};
-    for (std::size_t i = 0; i < study.parameters.size(); ++i)
-      gradient.push_back(graph.derivative(error, variables + i));
-    hessian = gradient;
-    const std::span<const int> slopes = std::span(gradient).subspan(1);
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) hessian.push_back(graph.derivative(slopes[i], variables + j));
-    }
-    is_linear = linear_ones(graph, slopes, variables);
-    // On either side of a kink that a parameter moves the form may be linear; across it, it is not.
-    for (const Symbolic& kink : moving_kinks(study)) {
-      for (std::size_t i = 0; i < is_linear.size(); ++i)
-        is_linear[i] = is_linear[i] && !contains_any(kink, {study.parameters[i]});
-    }
-    for (const int slope : slopes) is_open.push_back(graph.is_zero(slope));
-    target = {graph.add(scale_formula(study))};
-    for (const Hinge& hinge : hinges_of(study.form)) {
-      if (hinge.is_pole && contains_any(hinge.part, study.parameters))
-        denominators.push_back({graph.add(hinge.part)});
-    }
+StudyError::StudyError(const ReadStudy& study, IntegralRule rule)
+    : parameter_count_(study.parameters.size()) {
+  Graph graph(formula_inputs(study), rule);
+  const std::size_t variables = node_variables(study).size();
+  const int error = graph.add(error_formula(study));
+  std::vector<int> slopes, outputs{error};
+  for (std::size_t i = 0; i < parameter_count_; ++i) slopes.push_back(graph.derivative(error, variables + i));
+  outputs.insert(outputs.end(), slopes.begin(), slopes.end());
+  gradient_.emplace(graph, outputs, variables);
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) outputs.push_back(graph.derivative(slopes[i], variables + j));
   }
-
-  Graph graph;
-  std::size_t variables;
-  std::vector<int> gradient, hessian, target;
-  std::vector<std::vector<int>> denominators;
-  std::vector<bool> is_linear, is_open;
-};
-
-StudyError::StudyError(const ReadStudy& study, IntegralRule rule) : StudyError(Parts(study, rule)) {}
-
-StudyError::StudyError(Parts parts)
-    : parameter_count_(parts.gradient.size() - 1),
-      is_linear_(std::move(parts.is_linear)),
-      is_open_(std::move(parts.is_open)),
-      gradient_(parts.graph, parts.gradient, parts.variables),
-      hessian_(parts.graph, parts.hessian, parts.variables),
-      target_(parts.graph, parts.target, parts.variables) {
-  for (const auto& outputs : parts.denominators)
-    denominators_.emplace_back(parts.graph, outputs, parts.variables);
+  hessian_.emplace(graph, outputs, variables);
+  is_linear_ = linear_ones(graph, slopes, variables);
+  // On either side of a kink that a parameter moves the form may be linear; across it, it is not.
+  for (const Symbolic& kink : moving_kinks(study)) {
+    for (std::size_t i = 0; i < is_linear_.size(); ++i)
+      is_linear_[i] = is_linear_[i] && !contains_any(kink, {study.parameters[i]});
+  }
+  for (const int slope : slopes) is_open_.push_back(graph.is_zero(slope));
+  target_.emplace(graph, std::vector{graph.add(scale_formula(study))}, variables);
+  for (const Hinge& hinge : hinges_of(study.form)) {
+    if (hinge.is_pole && contains_any(hinge.part, study.parameters))
+      denominators_.emplace_back(graph, std::vector{graph.add(hinge.part)}, variables);
+  }
 }
 
 }  // namespace shadefit

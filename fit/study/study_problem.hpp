@@ -56,20 +56,17 @@ class StudyError {
   /// For each parameter whether the derivative by it is 0 for all values.
   const std::vector<bool>& is_open() const { return is_open_; }
 
-  const StagedTape& gradient() const { return gradient_; }  ///< the error and its derivatives
+  const StagedTape& gradient() const { return *gradient_; }  ///< the error and its derivatives
   /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
-  const StagedTape& hessian() const { return hessian_; }
-  const StagedTape& target() const { return target_; }  ///< what errors are compared with
+  const StagedTape& hessian() const { return *hessian_; }
+  const StagedTape& target() const { return *target_; }  ///< what errors are compared with
   /// The denominators of the form that contain a parameter. Where one is 0 the form has a pole.
   const std::vector<StagedTape>& denominators() const { return denominators_; }
 
  private:
-  struct Parts;
-  explicit StudyError(Parts parts);
-
   std::size_t parameter_count_;
   std::vector<bool> is_linear_, is_open_;
-  StagedTape gradient_, hessian_, target_;
+  std::optional<StagedTape> gradient_, hessian_, target_;
   std::vector<StagedTape> denominators_;
 };
 

@@ -30,6 +30,12 @@ struct ShapeCase {
   Proof expected;
 };
 
+/// Whether a form equals a target at an end of x.
+ShapeCase exact_at(double end, const char* name, const std::string& form, const std::string& target,
+                   Proof expected) {
+  return {name, form_of(form, {"x", "0", "1"}, target), {.exact_at = {end}}, expected};
+}
+
 /// What is expected follows from the formula: its derivative, or its values at the named places.
 std::vector<ShapeCase> shapes() {
   const StudyRange around{"x", "-1", "1"};
@@ -83,42 +89,15 @@ std::vector<ShapeCase> shapes() {
       {"two variables, 0 along the diagonal", form_of("a x^2 - 2 x y + y^2"), not_negative, Proof::open},
       {"an integral", form_of("integral(a x t, t, 0, 1)"), not_negative, Proof::open},
 
-      {"the target at an end",
-       form_of("a sqrt(1 - x)", {"x", "0", "1"}, "acos(x)"),
-       {.exact_at = {1}},
-       Proof::proven},
-      {"not at the other",
-       form_of("a sqrt(1 - x)", {"x", "0", "1"}, "acos(x)"),
-       {.exact_at = {0}},
-       Proof::refuted},
-      {"half a last place of float off",
-       form_of("a + 3e-8 - x", {"x", "0", "1"}, "1 - x"),
-       {.exact_at = {0}},
-       Proof::proven},
-      {"a last place and a half",
-       form_of("a + 9e-8 - x", {"x", "0", "1"}, "1 - x"),
-       {.exact_at = {0}},
-       Proof::refuted},
-      {"a whole edge",
-       form_of("a y + x - x y", {"x", "0", "1"}, "sqrt(x^2 + y^2 (1 - x^2))"),
-       {.exact_at = {0}},
-       Proof::proven},
-      {"the opposite edge",
-       form_of("a y + x - x y", {"x", "0", "1"}, "sqrt(x^2 + y^2 (1 - x^2))"),
-       {.exact_at = {1}},
-       Proof::proven},
-      {"an edge of an integral",
-       form_of("a x y + y^3", {"x", "0", "1"}, "integral(3 t^2 + x, t, 0, y)"),
-       {.exact_at = {0}},
-       Proof::proven},
-      {"its other edge",
-       form_of("a x y + y^4", {"x", "0", "1"}, "integral(3 t^2 + x, t, 0, y)"),
-       {.exact_at = {1}},
-       Proof::refuted},
-      {"an edge without values",
-       form_of("a x y", {"x", "0", "1"}, "x/x + y"),
-       {.exact_at = {0}},
-       Proof::open},
+      exact_at(1, "the target at an end", "a sqrt(1 - x)", "acos(x)", Proof::proven),
+      exact_at(0, "not at the other", "a sqrt(1 - x)", "acos(x)", Proof::refuted),
+      exact_at(0, "half a last place of float off", "a + 3e-8 - x", "1 - x", Proof::proven),
+      exact_at(0, "a last place and a half", "a + 9e-8 - x", "1 - x", Proof::refuted),
+      exact_at(0, "a whole edge", "a y + x - x y", "sqrt(x^2 + y^2 (1 - x^2))", Proof::proven),
+      exact_at(1, "the opposite edge", "a y + x - x y", "sqrt(x^2 + y^2 (1 - x^2))", Proof::proven),
+      exact_at(0, "an edge of an integral", "a x y + y^3", "integral(3 t^2 + x, t, 0, y)", Proof::proven),
+      exact_at(1, "its other edge", "a x y + y^4", "integral(3 t^2 + x, t, 0, y)", Proof::refuted),
+      exact_at(0, "an edge without values", "a x y", "x/x + y", Proof::open),
       {"nothing asked for", form_of("a x"), {}, Proof::none},
   };
 }
@@ -144,27 +123,22 @@ TEST(ProveShape, NamesThePlace) {
 }
 
 TEST(ProveShape, ACourseIsAlongOneVariable) {
-  const auto prove = [](const std::string& form, const Constraints& constraint, std::size_t variable) {
-    return prove_shape(form_of(form), constraint, 1, variable);
+  const auto prove = [](const std::string& form, std::size_t variable,
+                        const Constraints& constraint = rises) {
+    return prove_shape(form_of(form), constraint, 1, variable).proof;
   };
-  EXPECT_EQ(prove("a x - y^2", rises, 0).proof, Proof::proven);
-  EXPECT_EQ(prove("a x - y^2", rises, 1).proof, Proof::refuted);
-  EXPECT_EQ(prove("a x - y^2", falls, 1).proof, Proof::proven);
-  EXPECT_EQ(prove("a x y", rises, 0).proof, Proof::proven) << "constant where y = 0";
-  EXPECT_EQ(prove("max(a x, 2 x - y)", rises, 0).proof, Proof::proven) << "a kink along a line";
-  EXPECT_EQ(prove("max(a x, 2 x - y)", rises, 1).proof, Proof::refuted);
+  EXPECT_EQ(prove("a x - y^2", 0), Proof::proven);
+  EXPECT_EQ(prove("a x - y^2", 1), Proof::refuted);
+  EXPECT_EQ(prove("a x - y^2", 1, falls), Proof::proven);
+  EXPECT_EQ(prove("a x y", 0), Proof::proven) << "constant where y = 0";
+  EXPECT_EQ(prove("max(a x, 2 x - y)", 0), Proof::proven) << "a kink along a line";
+  EXPECT_EQ(prove("max(a x, 2 x - y)", 1), Proof::refuted);
   // It falls with x up to 1/2, unless y is 0.
-  const ShapeProof dip = prove("a (x - 0.5)^2 y", rises, 0);
+  const ShapeProof dip = prove_shape(form_of("a (x - 0.5)^2 y"), rises, 1, 0);
   EXPECT_EQ(dip.proof, Proof::refuted);
   EXPECT_LT(dip.place.at(0), 0.5);
   EXPECT_GT(dip.place.at(1), 0);
-}
-
-/// A choice that the variable does not switch has no step along it.
-TEST(ProveShape, AChoiceIsCrossedAlongItsOwnVariable) {
-  const auto prove = [](const std::string& form, std::size_t variable) {
-    return prove_shape(form_of(form), rises, 1, variable).proof;
-  };
+  // A choice that the variable does not switch has no step along it.
   EXPECT_EQ(prove("y < 1/3 ? a x + 1 : 2 x", 0), Proof::proven) << "it falls only along y";
   EXPECT_EQ(prove("y < 1/3 ? a x + 1 : 2 x", 1), Proof::refuted);
   EXPECT_EQ(prove("y < 1/3 ? a x : 2 x", 1), Proof::proven) << "no step where x = 0";

@@ -78,13 +78,13 @@ void expect_bounds(Problem& problem, const Lattice& lattice, double a, double b,
       const auto from = [&](double centre) {
         return lattice.nearest(centre) - std::uniform_int_distribution<std::int64_t>(0, size)(random);
       };
-      const LatticePoint<2> lower{from(a), from(b)};
-      const LatticeBox<2> box{lower, {lower[0] + size, lower[1] + size}};
+      const LatticePoint lower{from(a), from(b)};
+      const LatticeBox box{lower, {lower[0] + size, lower[1] + size}};
       const double bound = problem.bound(box, HUGE_VAL);
       bounded += bound > 0 && size <= 30 ? 1 : 0;
       for (int k = 0; k < 2; ++k) {
         std::uniform_int_distribution<std::int64_t> step(0, size);
-        const LatticePoint<2> point{lower[0] + step(random), lower[1] + step(random)};
+        const LatticePoint point{lower[0] + step(random), lower[1] + step(random)};
         ASSERT_LE(bound, problem.error(point, HUGE_VAL) * (1 + slack)) << size;
       }
     }
@@ -111,12 +111,12 @@ TEST(RoundStudy, APlantedWrongBoundLosesTheBest) {
   StudyInFormat<HalfFormat> in_half(read);
   NarrowStudyProblem<HalfFormat> problem(read, in_half);
   const BinaryLattice<HalfFormat> lattice;
-  const std::vector<LatticePoint<2>> starts{{lattice.nearest(-5.555), lattice.nearest(-6.984)}};
+  const std::vector<LatticePoint> starts{{lattice.nearest(-5.555), lattice.nearest(-6.984)}};
   const auto error_with = [&](double factor) {
-    const LatticeProblem<2> planted{
-        [&](const LatticeBox<2>& box, double best) { return factor * problem.bound(box, best); },
-        [&](const LatticePoint<2>& point, double best) { return problem.error(point, best); }};
-    const auto found = search_format<2>(planted, lattice.last(), starts, half_format, 100'000, keep_going);
+    const LatticeProblem planted{
+        [&](const LatticeBox& box, double best) { return factor * problem.bound(box, best); },
+        [&](const LatticePoint& point, double best) { return problem.error(point, best); }};
+    const auto found = search_format(planted, lattice.last(), starts, half_format, 100'000, keep_going);
     return in_half.largest_error(values_at(lattice, found.point)).magnitude;
   };
   EXPECT_NEAR(error_with(1), 0.00357959451, 1e-11);

@@ -17,6 +17,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+void expect_lanes(const TwoLanes& x, double first, double second) {
+  EXPECT_EQ(x[0], first);
+  EXPECT_EQ(x[1], second);
+}
+
 /// A function of the vocabulary in both arithmetics, its test range, and its bound in ulps.
 struct Function {
   std::string name;
@@ -30,17 +35,13 @@ struct Function {
 /// of the argument's reduction and of the sum. A series that is cut one term too early, or a log(2) without
 /// its lower part, is beyond them.
 std::vector<Function> functions() {
-  const auto exp_of = [](const auto& x) { return exp(x); };
-  const auto exp2_of = [](const auto& x) { return exp2(x); };
-  const auto expm1_of = [](const auto& x) { return expm1(x); };
-  const auto remainder_of = [](const auto& x) { return log1p_remainder(x); };
-  return {{"exp", exp_of, exp_of, -700, 700, 1.1},
-          {"exp2", exp2_of, exp2_of, -1021, 1023, 1.2},
-          {"expm1", expm1_of, expm1_of, -40, 40, 2.2},
-          {"expm1 near 0", expm1_of, expm1_of, -0.5, 0.5, 2.2},
-          {"log1p_remainder", remainder_of, remainder_of, -0.5, 0.5, 2.8},
-          {"log1p_remainder near 0", remainder_of, remainder_of, -1e-3, 1e-3, 2.8},
-          {"log1p_remainder far off", remainder_of, remainder_of, -0.999, 20, 3.2}};
+  return {{"exp", exp, exp, -700, 700, 1.1},
+          {"exp2", exp2, exp2, -1021, 1023, 1.2},
+          {"expm1", expm1, expm1, -40, 40, 2.2},
+          {"expm1 near 0", expm1, expm1, -0.5, 0.5, 2.2},
+          {"log1p_remainder", log1p_remainder, log1p_remainder, -0.5, 0.5, 2.8},
+          {"log1p_remainder near 0", log1p_remainder, log1p_remainder, -1e-3, 1e-3, 2.8},
+          {"log1p_remainder far off", log1p_remainder, log1p_remainder, -0.999, 20, 3.2}};
 }
 
 TEST(TwoLanes, FunctionsAreThoseOfFiftyDigits) {
@@ -81,13 +82,9 @@ TEST(TwoLanes, LanesAreApart) {
 }
 
 TEST(TwoLanes, BeyondTheFormat) {
-  const TwoLanes far = exp(TwoLanes(-1000, 1000));
-  EXPECT_EQ(far[0], 0);
-  EXPECT_EQ(far[1], infinity);
-  EXPECT_EQ(exp2(TwoLanes(-2000, 2000))[0], 0);
-  EXPECT_EQ(exp2(TwoLanes(-2000, 2000))[1], infinity);
-  EXPECT_EQ(expm1(TwoLanes(-1000, 0))[0], -1);
-  EXPECT_EQ(expm1(TwoLanes(-1000, 0))[1], 0);
+  expect_lanes(exp(TwoLanes(-1000, 1000)), 0, infinity);
+  expect_lanes(exp2(TwoLanes(-2000, 2000)), 0, infinity);
+  expect_lanes(expm1(TwoLanes(-1000, 0)), -1, 0);
   // a solver that steps there must see the NaN
   EXPECT_FALSE(std::isfinite(expm1(TwoLanes(0, 1000))[1]));
   for (const TwoLanes& y :
@@ -105,19 +102,14 @@ TEST(TwoLanes, ChoosesByLane) {
         less(a, b), [&] { return ++left, TwoLanes(1, 2); }, [&] { return ++right, TwoLanes(3, 4); });
   };
   const TwoLanes both = chosen({0, 0}, {1, 1}), none = chosen({1, 1}, {0, 0});
-  EXPECT_EQ(both[0], 1);
-  EXPECT_EQ(both[1], 2);
-  EXPECT_EQ(none[0], 3);
-  EXPECT_EQ(none[1], 4);
+  expect_lanes(both, 1, 2);
+  expect_lanes(none, 3, 4);
   EXPECT_EQ(left, 0);  // where both lanes agree, the other branch is not computed
   const TwoLanes mixed = chosen({0, 1}, {1, 0});
-  EXPECT_EQ(mixed[0], 1);
-  EXPECT_EQ(mixed[1], 4);
+  expect_lanes(mixed, 1, 4);
   EXPECT_EQ(left + right, 2);
-  EXPECT_EQ(min(TwoLanes(1, 4), TwoLanes(2, 3))[0], 1);
-  EXPECT_EQ(min(TwoLanes(1, 4), TwoLanes(2, 3))[1], 3);
-  EXPECT_EQ(max(TwoLanes(1, 4), TwoLanes(2, 3))[0], 2);
-  EXPECT_EQ(max(TwoLanes(1, 4), TwoLanes(2, 3))[1], 4);
+  expect_lanes(min(TwoLanes(1, 4), TwoLanes(2, 3)), 1, 3);
+  expect_lanes(max(TwoLanes(1, 4), TwoLanes(2, 3)), 2, 4);
 }
 
 }  // namespace

@@ -57,34 +57,35 @@ std::string refusal_of_rows(const std::string& text) {
   return testing::refusal([&] { read_rows(text); });
 }
 
+void expect_fault(const std::string& text, int line, const std::string& fault) {
+  EXPECT_EQ(refusal_of_rows(text), "'m.csv', line " + std::to_string(line) + ": " + fault);
+}
+
 TEST(MeasuredRows, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal_of_rows(""), "'m.csv' is empty: its first line must name the columns");
   EXPECT_EQ(refusal_of_rows(std::string("x,value\n1,\0\n", 12)), "'m.csv' is not a text: it has a byte 0");
   EXPECT_EQ(refusal_of_rows("x,value\n"), "'m.csv' has no rows below its header");
-  EXPECT_EQ(refusal_of_rows("0,1\n1,2\n"),
-            "'m.csv', line 1: column 1 is a number: the first line must name the columns");
-  EXPECT_EQ(refusal_of_rows("x,\n1,2\n"), "'m.csv', line 1: column 2 has no name");
-  EXPECT_EQ(refusal_of_rows("x,value,x\n1,2,3\n"), "'m.csv', line 1: 'x' is there twice");
+  expect_fault("0,1\n1,2\n", 1, "column 1 is a number: the first line must name the columns");
+  expect_fault("x,\n1,2\n", 1, "column 2 has no name");
+  expect_fault("x,value,x\n1,2,3\n", 1, "'x' is there twice");
   EXPECT_EQ(refusal_of_rows("t,value\n1,2\n"), "'m.csv' has no column 'x'; it has 't', 'value'");
   EXPECT_EQ(refusal_of_rows("x,y\n1,2\n"),
             "'m.csv' has no column 'value'; it has 'x', 'y': --value names the measured one");
-  EXPECT_EQ(refusal_of_rows("x,value\n1,2\n3\n"), "'m.csv', line 3: has 1 cell, the header has 2");
-  EXPECT_EQ(refusal_of_rows("x,value\n1,2,3\n"), "'m.csv', line 2: has 3 cells, the header has 2");
-  EXPECT_EQ(refusal_of_rows("x,value\n1,2\n\n"), "'m.csv', line 3: has 1 cell, the header has 2");
-  EXPECT_EQ(refusal_of_rows("x,value\n1,two\n"), "'m.csv', line 2: value 'two' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("x,value\n1,\n"), "'m.csv', line 2: value '' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("x,value\nnan,1\n"), "'m.csv', line 2: x 'nan' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("x,value\n1e999,1\n"), "'m.csv', line 2: x '1e999' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("x,value\n+-1,1\n"), "'m.csv', line 2: x '+-1' is not a finite number");
+  expect_fault("x,value\n1,2\n3\n", 3, "has 1 cell, the header has 2");
+  expect_fault("x,value\n1,2,3\n", 2, "has 3 cells, the header has 2");
+  expect_fault("x,value\n1,2\n\n", 3, "has 1 cell, the header has 2");
+  expect_fault("x,value\n1,two\n", 2, "value 'two' is not a finite number");
+  expect_fault("x,value\n1,\n", 2, "value '' is not a finite number");
+  expect_fault("x,value\nnan,1\n", 2, "x 'nan' is not a finite number");
+  expect_fault("x,value\n1e999,1\n", 2, "x '1e999' is not a finite number");
+  expect_fault("x,value\n+-1,1\n", 2, "x '+-1' is not a finite number");
   EXPECT_EQ(refusal_of_rows("x,value\n1;5,1\n"), "'m.csv', line 2: x '1;5' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("x,value\n\"1\",2\n"),
-            "'m.csv', line 2: a quote: write numbers and names without quotes");
-  EXPECT_EQ(refusal_of_rows("x,value,sigma\n1,2,0\n"), "'m.csv', line 2: sigma '0' must be greater than 0");
-  EXPECT_EQ(refusal_of_rows("x,value,sigma\n1,2,-1\n"), "'m.csv', line 2: sigma '-1' must be greater than 0");
-  EXPECT_EQ(refusal_of_rows("x,value\n1," + std::string(1000, 'z') + "\n"),
-            "'m.csv', line 2: value '" + std::string(40, 'z') + " ..' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("x,value" + std::string(1000, ',') + "\n"),
-            "'m.csv', line 1: more than 1000 cells");
+  expect_fault("x,value\n\"1\",2\n", 2, "a quote: write numbers and names without quotes");
+  expect_fault("x,value,sigma\n1,2,0\n", 2, "sigma '0' must be greater than 0");
+  expect_fault("x,value,sigma\n1,2,-1\n", 2, "sigma '-1' must be greater than 0");
+  expect_fault("x,value\n1," + std::string(1000, 'z') + "\n", 2,
+               "value '" + std::string(40, 'z') + " ..' is not a finite number");
+  expect_fault("x,value" + std::string(1000, ',') + "\n", 1, "more than 1000 cells");
 }
 
 TEST(MeasuredRows, NamesTheMeasuredColumnAndTheLines) {
@@ -92,10 +93,9 @@ TEST(MeasuredRows, NamesTheMeasuredColumnAndTheLines) {
       read_measured_rows(parts_of("# a test\n# x light\n1 2\n"), "m.csv", {"x"}, "light");
   EXPECT_EQ(rows.value, Numbers{2});
   EXPECT_EQ(line_of_row(rows, 1), 3u);
-  EXPECT_EQ(refusal_of_rows("#\nx,value\n1,two\n"), "'m.csv', line 3: value 'two' is not a finite number");
-  EXPECT_EQ(refusal_of_rows("# 1 2\n3 4\n"),
-            "'m.csv', line 1: column 1 is a number: the first line must name the columns");
-  EXPECT_EQ(refusal_of_rows("#\n"), "'m.csv', line 1: column 1 has no name");
+  expect_fault("#\nx,value\n1,two\n", 3, "value 'two' is not a finite number");
+  expect_fault("# 1 2\n3 4\n", 1, "column 1 is a number: the first line must name the columns");
+  expect_fault("#\n", 1, "column 1 has no name");
 }
 
 TEST(MeasuredRows, ReadsPartsThatEndAnywhere) {

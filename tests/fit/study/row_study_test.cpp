@@ -106,20 +106,18 @@ void expect_line(const StudyFit& fit, const Line& line, double variance_of_noise
   ASSERT_EQ(name(fit.status), "converged") << what << ": " << fit.why;
   ASSERT_TRUE(fit.statistics) << what;
   const RowStatistics& statistics = *fit.statistics;
-  const double a = std::sqrt(line.variance_a * variance_of_noise),
-               b = std::sqrt(line.variance_b * variance_of_noise);
   EXPECT_EQ(statistics.freedom, 3u) << what;
-  expect_near_relative(fit.parameters[0], line.a, 1e-14, what + ", a");
-  expect_near_relative(fit.parameters[1], line.b, 1e-14, what + ", b");
-  expect_near_relative(statistics.standard_errors[0], a, 1e-14, what + ", error of a");
-  expect_near_relative(statistics.standard_errors[1], b, 1e-14, what + ", error of b");
   expect_near_relative(statistics.covariance[0][1], line.covariance * variance_of_noise, 1e-14, what);
   EXPECT_EQ(statistics.covariance[0][1], statistics.covariance[1][0]);
-  // A linear form: the profile interval is the standard error.
-  expect_near_relative(fit.parameters[0] - *statistics.profiles[0].lower, a, 1e-9, what + ", lower a");
-  expect_near_relative(*statistics.profiles[0].upper - fit.parameters[0], a, 1e-9, what + ", upper a");
-  expect_near_relative(fit.parameters[1] - *statistics.profiles[1].lower, b, 1e-9, what + ", lower b");
-  expect_near_relative(*statistics.profiles[1].upper - fit.parameters[1], b, 1e-9, what + ", upper b");
+  for (const std::size_t i : {0U, 1U}) {
+    const double value = fit.parameters[i],
+                 error = std::sqrt((i == 0 ? line.variance_a : line.variance_b) * variance_of_noise);
+    expect_near_relative(value, i == 0 ? line.a : line.b, 1e-14, what);
+    expect_near_relative(statistics.standard_errors[i], error, 1e-14, what + ", error");
+    // A linear form: the profile interval is the standard error.
+    expect_near_relative(value - *statistics.profiles[i].lower, error, 1e-9, what + ", lower");
+    expect_near_relative(*statistics.profiles[i].upper - value, error, 1e-9, what + ", upper");
+  }
 }
 
 TEST(RowStudy, HasTheTextbookNumbersOfALine) {

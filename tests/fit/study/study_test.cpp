@@ -28,6 +28,11 @@ std::string fault_of(const Study& study) {
   return testing::refusal([&] { fit_of(study); });
 }
 
+/// A form of x in [0, 1].
+Study on_unit(const std::string& target, const std::string& form) {
+  return {.target = target, .form = form, .over = {{"x", "0", "1"}}};
+}
+
 /// A study whose answer is known.
 struct KnownStudy {
   const char* name;
@@ -41,7 +46,7 @@ std::vector<KnownStudy> known_studies() {
   constexpr double fifteen_digits = 1e-14;
   return {
       {"the arc cosine by a line times a root",
-       {.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}},
+       on_unit("acos(x)", "sqrt(1-x) (a + b x)"),
        {1.56515463601461, -0.163889932843928},
        fifteen_digits},
       {"Henyey-Greenstein by Schlick's phase function, g = 0.5",
@@ -53,15 +58,9 @@ std::vector<KnownStudy> known_studies() {
        {0.700785835998294},
        fifteen_digits},
       // Closed forms: the normal equations of a line on [0, 1] with the moments of the target.
-      {"a root at an end",
-       {.target = "sqrt(x)", .form = "a + b x", .over = {{"x", "0", "1"}}},
-       {4.0 / 15, 0.8}},
-      {"a logarithm at an end",
-       {.target = "log(x)", .form = "a + b x", .over = {{"x", "0", "1"}}},
-       {-2.5, 3}},
-      {"a kink",
-       {.target = "max(x - 1/4, 0)", .form = "a + b x", .over = {{"x", "0", "1"}}},
-       {-9.0 / 64, 27.0 / 32}},
+      {"a root at an end", on_unit("sqrt(x)", "a + b x"), {4.0 / 15, 0.8}},
+      {"a logarithm at an end", on_unit("log(x)", "a + b x"), {-2.5, 3}},
+      {"a kink", on_unit("max(x - 1/4, 0)", "a + b x"), {-9.0 / 64, 27.0 / 32}},
       // The first two coefficients of the Chebyshev series of e^x: I0(1) and 2 I1(1) (Abramowitz, Stegun
       // 1964, "Handbook of Mathematical Functions", 9.6.34 and table 9.8).
       {"the density of Chebyshev polynomials",
@@ -86,24 +85,19 @@ std::vector<KnownStudy> known_studies() {
         .over = {{"x", "0", "2"}}},
        {0.5, 1, 2, 3},
        1e-12},
-      {"an even form: the parameter that is not negative",
-       {.target = "cos(2 x)", .form = "cos(a x)", .over = {{"x", "0", "1"}}},
-       {2},
-       1e-14},
-      {"a choice in the target",
-       {.target = "x <= 0.5 ? 0 : 1", .form = "a + b x", .over = {{"x", "0", "1"}}},
-       {-0.25, 1.5}},
+      {"an even form: the parameter that is not negative", on_unit("cos(2 x)", "cos(a x)"), {2}, 1e-14},
+      {"a choice in the target", on_unit("x <= 0.5 ? 0 : 1", "a + b x"), {-0.25, 1.5}},
       {"an integral up to the variable",
-       {.target = "integral(sin(t), t, 0, x)", .form = "a + b cos(x)", .over = {{"x", "0", "1"}}},
+       on_unit("integral(sin(t), t, 0, x)", "a + b cos(x)"),
        {1, -1},
        1e-14},
       {"an integral of the form, with a parameter",
-       {.target = "(1 - exp(-2 x))/2", .form = "integral(exp(-a t), t, 0, x)", .over = {{"x", "0", "1"}}},
+       on_unit("(1 - exp(-2 x))/2", "integral(exp(-a t), t, 0, x)"),
        {2},
        1e-14},
       // The integral of sqrt(x t) over t is 2/3 sqrt(x).
       {"a root at an end of the integral",
-       {.target = "3/2 * integral(sqrt(x t), t, 0, 1)", .form = "a + b x", .over = {{"x", "0", "1"}}},
+       on_unit("3/2 * integral(sqrt(x t), t, 0, 1)", "a + b x"),
        {4.0 / 15, 0.8},
        1e-14},
       {"integrals inside one another, by a definition with the same name",
@@ -213,7 +207,7 @@ TEST(Study, HasTheConstantsOfEveryFamily) {
 
 // By Remez's exchange in 60 digits: the arc cosine, with its level; and the built-in families.
 TEST(MinimaxStudy, FindsWhatIsKnown) {
-  const Study acos_linear{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+  const Study acos_linear = on_unit("acos(x)", "sqrt(1-x) (a + b x)");
   const StudyFit fit = solve_minimax_study(read_study(acos_linear), {}, {});
   ASSERT_EQ(name(fit.status), "converged") << fit.why;
   EXPECT_GE(fit.digits, 13);
@@ -255,7 +249,7 @@ TEST(MinimaxStudy, IsExactAtAZeroOfTheTarget) {
   const auto fit = [](const Study& study, double place) {
     return solve_minimax_study(read_study(study), {.exact_at = {place}}, {});
   };
-  const StudyFit square = fit({.target = "x^2", .form = "a + b x", .over = {{"x", "0", "1"}}}, 0);
+  const StudyFit square = fit(on_unit("x^2", "a + b x"), 0);
   ASSERT_EQ(name(square.status), "converged") << square.why;
   EXPECT_EQ(square.parameters[0], 0);
   EXPECT_NEAR(square.parameters[1], 2 * std::sqrt(2.0) - 2, 1e-15);
@@ -265,7 +259,7 @@ TEST(MinimaxStudy, IsExactAtAZeroOfTheTarget) {
 }
 
 TEST(MinimaxStudy, KeepsItsConstraints) {
-  const Study line{.target = "exp(x)", .form = "a + b x", .over = {{"x", "0", "1"}}};
+  const Study line = on_unit("exp(x)", "a + b x");
   const auto fit_under = [&](const Constraints& constraints) {
     return solve_minimax_study(read_study(line), constraints, {});
   };
@@ -279,11 +273,11 @@ TEST(MinimaxStudy, KeepsItsConstraints) {
 }
 
 TEST(Study, SaysWhatIsGlobalAndWhatIsNotDetermined) {
-  EXPECT_TRUE(fit_of({.target = "exp(x)", .form = "a + b x", .over = {{"x", "0", "1"}}}).is_global);
-  const StudyFit searched = fit_of({.target = "exp(x)", .form = "a exp(b x)", .over = {{"x", "0", "1"}}});
+  EXPECT_TRUE(fit_of(on_unit("exp(x)", "a + b x")).is_global);
+  const StudyFit searched = fit_of(on_unit("exp(x)", "a exp(b x)"));
   EXPECT_FALSE(searched.is_global);
   EXPECT_GT(searched.starts, 1);
-  const StudyFit flat = fit_of({.target = "exp(x)", .form = "a b x", .over = {{"x", "0", "1"}}});
+  const StudyFit flat = fit_of(on_unit("exp(x)", "a b x"));
   EXPECT_EQ(name(flat.status), "degenerate");
   EXPECT_EQ(flat.why, "the curve stays the same while a, b change together");
   // |x| on [-1, 1] by exp(-(x - m)^2) has two optima, left and right.
@@ -306,7 +300,7 @@ TEST(Study, KnowsWhatAnIntegralIsWorth) {
 
 // A list keeps other names out; the order stays that of the form, and a held parameter is not fitted.
 TEST(Study, TakesAListOfParameters) {
-  Study study{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+  Study study = on_unit("acos(x)", "sqrt(1-x) (a + b x)");
   study.parameters = {"b", "a"};
   EXPECT_EQ(read_study(study).parameters, (std::vector<std::string>{"a", "b"}));
   study.held = {{"a", 1.5}};
@@ -314,7 +308,7 @@ TEST(Study, TakesAListOfParameters) {
 }
 
 TEST(Study, AnswersBadInputWithOneLine) {
-  const Study good{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+  const Study good = on_unit("acos(x)", "sqrt(1-x) (a + b x)");
   EXPECT_EQ(fault_of(good), "");
   const auto refusal = [&]<class T>(T Study::*member, const std::type_identity_t<T>& value) {
     Study study = good;

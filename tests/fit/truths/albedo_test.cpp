@@ -280,8 +280,9 @@ TEST(Albedos, HaveTheSameValueInEveryScalar) {
     const Decimal50 widest =
         in_50_digits(formula, [&](const std::string& name) -> Decimal50 { return value_of_name(name); });
     EXPECT_EQ(static_cast<long double>(widest), wide);
-    const TwoLanes both = tape_of(
-        formula, names)(std::span<const TwoLanes>(std::array{TwoLanes(c, alpha), TwoLanes(alpha, c)}))[0];
+    TapeProgram<TwoLanes> program(tape_of(formula, names), {});
+    program.run(std::array{TwoLanes(c, alpha), TwoLanes(alpha, c)});
+    const TwoLanes both = program.output(0);
     EXPECT_EQ(both[0], value_of("ggx_albedo", c, alpha));
     EXPECT_EQ(both[1], value_of("ggx_albedo", alpha, c));
   }
@@ -297,8 +298,13 @@ TEST(Albedos, HaveDerivatives) {
   outputs.insert(outputs.end(),
                  {by_c, by_alpha, graph.derivative(by_c, 0), graph.derivative(by_c, 1),
                   graph.derivative(by_alpha, 1), graph.derivative(graph.derivative(by_c, 0), 0)});
-  const Tape tape(graph, outputs, inputs);
-  const auto at = [&](double c, double alpha) { return tape(std::span<const double>(std::array{c, alpha})); };
+  TapeProgram<double> program(Tape(graph, outputs, inputs), {});
+  const auto at = [&](double c, double alpha) {
+    program.run(std::array{c, alpha});
+    std::vector<double> found;
+    for (std::size_t i = 0; i < outputs.size(); ++i) found.push_back(program.output(i));
+    return found;
+  };
   // In the second place c is in the last row of the table, which has another variable.
   for (const auto& place : {std::pair(0.3, 0.5), {0.002, 0.9}}) {
     const double c = place.first, alpha = place.second;
