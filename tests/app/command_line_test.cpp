@@ -159,7 +159,7 @@ TEST(FitCommand, MinimaxSaysWhatItFound) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto parsed = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(parsed["norm"], "minimax");
-  EXPECT_EQ(parsed["weight"], "(1 + 4 c) (1 - f0)/schlick_reflectance(f0, (1 - c)^5)");
+  EXPECT_EQ(parsed["weight"], "(1 + 4 c) ((1 - f0)/schlick_reflectance(f0, (1 - c)^5))");
   ASSERT_EQ(parsed["alternation"].size(), 3U);
   for (const auto& point : parsed["alternation"]) {
     EXPECT_EQ(point["holds"], "level");
