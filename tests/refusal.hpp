@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "fit/support/user_error.hpp"
@@ -15,6 +17,14 @@ std::string refusal(const Work& work) {
     return error.what();
   }
   return {};
+}
+
+/// A text has a part, or does not.
+inline void expect_has(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "without '" << part << "':\n" << text;
+}
+inline void expect_lacks(const std::string& text, const std::string& part) {
+  EXPECT_EQ(text.find(part), std::string::npos) << "with '" << part << "':\n" << text;
 }
 
 }  // namespace shadefit::testing

@@ -14,8 +14,6 @@
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
 #include "fit/input/known.hpp"
-#include "reports/io/escape.hpp"
-#include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
 
@@ -60,7 +58,7 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
   const OutputFolder folder(options.out);
   const bench::Trade trade = timed(options, checkpoint, progress);
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
-  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
   const auto report = bench::bench_files(trade, figures);
   files.insert(files.end(), report.begin(), report.end());
   std::string out;
@@ -72,9 +70,8 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
         fmt::format("{}\n{}\n", target.title,
                     write_console(bench::times_table(trade, target.id), Precision::report, options.terminal));
   out.pop_back();  // the next line is an empty one too
-  out +=
-      news.out + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
-  return {news.err.empty() ? 0 : 1, out, news.err, folder.prepare(files, missing, options.force, checkpoint)};
+  out += said + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
+  return {failed.empty() ? 0 : 1, out, failed, folder.prepare(files, missing, options.force, checkpoint)};
 }
 
 }  // namespace shadefit

@@ -14,7 +14,6 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/declare_commands.hpp"
-#include "app/commands/version.hpp"
 #include "app/options/option_values.hpp"
 #include "app/output/interrupt.hpp"
 #include "fit/input/known.hpp"

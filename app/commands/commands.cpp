@@ -208,7 +208,7 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   const Results results = compute_results(options.only, checkpoint);
   // The report shows only figures with a picture, so these are drawn first.
   auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
-  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
   const auto put = folder.prepare(files, missing, options.force, checkpoint);
@@ -221,10 +221,10 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
         write_console(claims_list(results.claims, true, false), Precision::report, options.terminal));
   if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
   std::string out = fmt::format("{}", fmt::join(parts, "\n"));
-  out += news.out;
+  out += said;
   out +=
       fmt::format("\nReport: {}\n", printable((std::filesystem::path(options.out) / "report.md").string()));
-  const std::string err = news.err + failed_lines(results);
+  const std::string err = failed + failed_lines(results);
   return {err.empty() ? 0 : 1, out, err, put};
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/commands/declare_commands.hpp"
-#include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
 #include "bench/tradeoff/timed_forms.hpp"
 #include "fit/better/results.hpp"

@@ -27,4 +27,9 @@ void declare_commands(CLI::App& app, Call& call);
 /// for "man". Throws UserError for any other word.
 std::string completion(const CLI::App& app, const std::string& shell);
 
+/// The libraries inside the command with their versions, as one line without an end: "with Boost 1.74.0, ..,
+/// zlib 1.2.13". GMP, MPFR and MPFI are asked when the command runs, since a user can exchange them; the
+/// others are those that it was built with.
+std::string libraries_inside();
+
 }  // namespace shadefit

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "app/commands/commands.hpp"
 #include "app/options/fit_arguments.hpp"
@@ -12,12 +11,10 @@
 #include "fit/better/prove_contenders.hpp"
 #include "fit/better/results.hpp"
 #include "fit/catalogue/near_peak.hpp"
-#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/study_code.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
-#include "reports/rows/statement.hpp"
 
 /// The subcommand `emit`.
 namespace shadefit {
@@ -35,24 +32,12 @@ std::string parse_function_name(const std::string& text) {
   return text;
 }
 
-std::string function_name(std::string_view id, const EmitOptions& options) {
-  if (options.name) return parse_function_name(*options.name);
-  return shadefit::function_name(id);
-}
-
 /// The command that generates the file.
 std::string command_of(const EmitOptions& options) {
   std::vector<std::string> words = options.fit.words;
   const auto after_id = words.begin() + (options.fit.id.empty() ? 1 : 2);
   words.insert(after_id, {"--lang", std::string(name(*options.language))});
   return command_text(words);
-}
-
-/// A function below a comment with the command and these facts.
-std::string code_with(const std::vector<OthersText>& facts, const ShaderFunction& function,
-                      const EmitOptions& options) {
-  const std::vector<OthersText> head{std::string(generated_line), command_of(options), OthersText()};
-  return code_below(head, facts, function, *options.language, options.precision);
 }
 
 /// The set that `better` says to use in place of the first published one.
@@ -103,12 +88,14 @@ ChosenStudySubject chosen_for_all(const StudyFile& file, std::vector<Study>& stu
 
 std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint,
                        const Progress& progress) {
-  const std::string name = function_name(file.id.empty() ? "approximation" : file.id, options);
+  const std::string name = options.name ? parse_function_name(*options.name)
+                                        : function_name(file.id.empty() ? "approximation" : file.id);
   std::vector<Study> studies = combinations(file.study, file.given);
   const auto [subject, from, origin] = chosen_for_all(file, studies, options, checkpoint, progress);
   StudyFunction code = study_function(studies, subject.parameters, name, origin, checkpoint);
   if (is_known_id(file.id) && !options.better) code.facts.front() = code.facts.front() + "; " + file.about;
-  return code_with(code.facts, code.function, options);
+  const std::vector<OthersText> head{std::string(generated_line), command_of(options), OthersText()};
+  return code_below(head, code.facts, code.function, *options.language, options.precision);
 }
 
 }  // namespace

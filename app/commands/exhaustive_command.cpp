@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 
 #include "app/device/device_commands.hpp"
@@ -8,7 +7,6 @@
 #include "fit/input/known.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
 

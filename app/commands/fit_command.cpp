@@ -78,11 +78,6 @@ Table table_for(const std::vector<FittedStudy>& studies, const Terminal& termina
   return with_columns_as_one(table, first, count, "constants", Precision::report);
 }
 
-std::string held_text(const Study& study) {
-  return joined(study.held, ", ",
-                [](const Held& held) { return fmt::format("{} = {}", held.parameter, held.value); });
-}
-
 std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
                          const Terminal& terminal) {
   const StudyFit& first = studies.front().fit;
@@ -92,8 +87,11 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
   for (const FittedStudy& study : studies) text += level_text(study);
   text += uncertainty_block(studies, terminal);
   if (first.status != Status::converged) return text;
-  if (first.names.empty())
-    return text + fmt::format("Nothing was fitted: {} are given.\n", held_text(studies.front().asked()));
+  if (first.names.empty()) {
+    const auto value_of = [](const Held& held) { return fmt::format("{} = {}", held.parameter, held.value); };
+    return text + fmt::format("Nothing was fitted: {} are given.\n",
+                              joined(studies.front().asked().held, ", ", value_of));
+  }
   if (first.is_sampled) text += "The largest error is sampled: between the samples it may be larger.\n";
   if (first.is_global) return text + "The form is linear in its parameters: the best is global.\n";
   const std::string often =
@@ -123,7 +121,7 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
 struct StudyExtras {
   std::vector<std::optional<ProvenStudy>> proofs;
-  std::vector<RoundedSets> rounded, evaluated;
+  std::vector<RoundedFit> rounded, evaluated;
   std::vector<std::optional<Sensitivity>> sensitivities;
 };
 
@@ -160,8 +158,8 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
           "fitted"};
     }
     const auto rounded = [&](const std::optional<NumberFormat>& format, const auto& round) {
-      if (!format) return RoundedSets{};
-      return rounded_sets(study, studies.size() > 1, [&] {
+      if (!format) return RoundedFit{};
+      return rounded_fit(study, studies.size() > 1, [&] {
         return round(objective, study.fit, *format, published_values(study), checkpoint);
       });
     };
@@ -208,8 +206,8 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
       if (proofs[i]) add_study_proof(json[i], *proofs[i]);
-      if (options.round) add_rounding(json[i], "rounded", rounded[i]);
-      if (options.evaluate) add_rounding(json[i], "evaluated", evaluated[i]);
+      if (options.round) add_rounding(json[i], "rounded", studies[i], rounded[i]);
+      if (options.evaluate) add_rounding(json[i], "evaluated", studies[i], evaluated[i]);
       if (sensitivities[i]) json[i]["sensitivity"] = sensitivity_json(studies[i], *sensitivities[i]);
     }
     return json_text_of_each(json);
@@ -221,8 +219,8 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
   }
   if (options.latex) return latex_text(file, studies);
   std::string out = console_text(file, studies, options.terminal) + proofs_block(proofs, options.terminal);
-  if (options.round) out += roundings_text(rounded, options.terminal);
-  if (options.evaluate) out += roundings_text(evaluated, options.terminal);
+  if (options.round) out += roundings_text(studies, rounded, options.terminal);
+  if (options.evaluate) out += roundings_text(studies, evaluated, options.terminal);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += sensitivity_text(studies[i], *sensitivities[i], options.terminal);
   }

@@ -36,12 +36,6 @@ VerifiedCertificate verified(const std::string& text, const std::string& file, c
               statement_of(certificate)};
 }
 
-/// A line for a proof whose bounds, those of `certificate`, are wider than was asked for. `what` names it.
-std::string not_reached_line(const std::string& what, const StudyCertificate& certificate, double width) {
-  return fmt::format("shadefit: {}: the width {} was not reached: the largest error is in [{}, {}]\n", what,
-                     width, certificate.lower, certificate.upper);
-}
-
 }  // namespace
 
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
@@ -68,7 +62,9 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     const std::string given = given_text(study);
     const auto& [certificate, is_reached] = proofs.back().certified;
     if (!is_reached)
-      err += not_reached_line("the proof" + (given.empty() ? "" : " of " + given), certificate, width);
+      err += fmt::format(
+          "shadefit: the proof{}: the width {} was not reached: the largest error is in [{}, {}]\n",
+          given.empty() ? "" : " of " + given, width, certificate.lower, certificate.upper);
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   std::function<void()> put;

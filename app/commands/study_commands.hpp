@@ -9,7 +9,6 @@
 #include "fit/better/better_study.hpp"
 #include "fit/catalogue/study_file.hpp"
 #include "reports/findings/baseline.hpp"
-#include "reports/studies/study_rows.hpp"
 
 /// The commands for a study. Bad input throws UserError.
 namespace shadefit {

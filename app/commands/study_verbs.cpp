@@ -140,14 +140,14 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
   std::vector<Figure> figures;
   if (!options.no_plots && comparisons.size() == 1 && file.study.over.size() == 1)
     figures.push_back(better_study_figure(comparisons.front()));
-  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
   const auto pages = study_files_of(file, comparisons, figures);
   files.insert(files.end(), pages.begin(), pages.end());
   std::string out;
   for (const StudyComparison& comparison : comparisons) out += console_text(comparison, options.terminal);
-  out += news.out + fmt::format("\nReport: {}\n",
-                                printable((std::filesystem::path(options.out) / "report.md").string()));
-  const std::string err = news.err + failed_lines(comparisons);
+  out += said + fmt::format("\nReport: {}\n",
+                            printable((std::filesystem::path(options.out) / "report.md").string()));
+  const std::string err = failed + failed_lines(comparisons);
   return {err.empty() ? 0 : 1, out, err, folder.prepare(files, missing, options.force, checkpoint)};
 }
 

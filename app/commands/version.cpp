@@ -1,5 +1,3 @@
-#include "app/commands/version.hpp"
-
 #include <ceres/version.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +10,8 @@
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <nlohmann/json.hpp>
+
+#include "app/commands/declare_commands.hpp"
 
 namespace shadefit {
 namespace {

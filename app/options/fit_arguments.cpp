@@ -13,8 +13,6 @@
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
-namespace {}  // namespace
-
 Surface surface_for(const Family& family, const FitOptions& options) {
   const bool is_exact = options.target == Surface::Formula::exact;
   const auto refuse = [](const char* option, const std::string& value, const std::string& reason) {
@@ -74,10 +72,6 @@ std::string option_of_fits(const std::set<std::string>& present) {
                            "--one-sided", "--at-most", "--at-least", "--monotone", "--round"};
   const auto found = std::ranges::find_if(all, [&](const char* option) { return present.contains(option); });
   return found == all.end() ? "" : *found;
-}
-
-std::string words_of_rounding(const NumberFormat& format) {
-  return "the smallest largest error of constants in " + to_text(format);
 }
 
 }  // namespace shadefit

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/options/options.hpp"
 #include "approx/records/record.hpp"
@@ -25,8 +24,5 @@ Surface surface_for(const Family& family, const FitOptions& options);
 
 /// The first of these options that counts for a fit alone, as a text; empty without any.
 std::string option_of_fits(const std::set<std::string>& present);
-
-/// "the smallest largest error of constants in half": what --round looks for.
-std::string words_of_rounding(const NumberFormat& format);
 
 }  // namespace shadefit

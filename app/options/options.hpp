@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/options/outcome.hpp"
-#include "app/options/study_options.hpp"
 #include "fit/catalogue/surface.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/rounding/lattice.hpp"
+#include "fit/study/study.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/findings/finding.hpp"
@@ -40,6 +40,22 @@ struct RunOptions {
   bool force = false;  ///< replaces files that shadefit did not write
   Terminal terminal = {};
   bool html = false;  ///< pages of the study, or of all studies
+};
+
+/// A fit of one's own, or changes to a study.
+struct StudyOptions {
+  std::optional<std::string> form = {};  ///< empty: the command is about a built-in family
+  std::string target = {};
+  std::optional<std::string> word = {};  ///< the id of a form, beside that of its study
+  std::string table = {};                ///< a file of rows, instead of a target
+  std::string value = "value";           ///< the column of the measured values
+  std::vector<StudyRange> over = {};
+  bool has_domain = false;                                                   ///< by --range A:B
+  std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
+  std::vector<StudyDefinition> definitions = {};
+  std::vector<Held> starts = {};
+  std::vector<ParameterBounds> bounds = {};
+  std::vector<std::string> parameters = {};  ///< empty: every name that is nothing else
 };
 
 /// The form and its target. `fit`, `better`, `certify` and `emit` share these options.

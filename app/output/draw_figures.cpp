@@ -14,7 +14,7 @@
 namespace shadefit {
 DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
                           const Checkpoint& checkpoint) {
-  DrawnFigures drawn{plot_files(figures), {}, {}};
+  DrawnFigures drawn{plot_files(figures), {}, {}, {}};
   const std::size_t all = figures.size();
   const auto directory = printable((std::filesystem::path(out) / "plots").string());
   for (const Figure& figure : figures) drawn.missing.push_back({"plots/" + figure.name + ".svg", ""});
@@ -27,14 +27,14 @@ DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
       return std::ranges::find(pictures.files, missing.name, &File::name) != pictures.files.end();
     });
     for (const FailedPlot& failed : pictures.failed) {
-      drawn.news.err +=
+      drawn.err +=
           fmt::format("shadefit: plot {} was not drawn: {}\n", failed.name, one_line(failed.complaint));
       std::erase_if(figures, [&](const Figure& figure) { return figure.name == failed.name; });
     }
-    drawn.news.out = fmt::format("\nPlots: {} of {} drawn in {}\n", figures.size(), all, directory);
+    drawn.out = fmt::format("\nPlots: {} of {} drawn in {}\n", figures.size(), all, directory);
   } else if (all > 0) {
     figures.clear();
-    drawn.news.out =
+    drawn.out =
         fmt::format("\nPlots skipped: gnuplot was not found; their data and scripts are in {}\n", directory);
   }
   return drawn;

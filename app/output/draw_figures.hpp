@@ -10,16 +10,11 @@
 
 namespace shadefit {
 
-/// The messages of a command about its plots, on standard output and standard error.
-struct PlotsNews {
-  std::string out, err;
-};
-
-/// The files of the figures.
+/// The files of the figures, and what is said of them.
 struct DrawnFigures {
   std::vector<File> files;    ///< data, scripts and the pictures that were drawn
   std::vector<File> missing;  ///< pictures that were not drawn: old ones must not remain next to new data
-  PlotsNews news;
+  std::string out, err;       ///< for standard output and standard error
 };
 
 /// Draws the figures and keeps in `figures` those that have a picture. It only names the directory `out` and

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -64,8 +63,10 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
       return chosen(set.values, "published", "published: " + set.source);
   }
   const StudyObjective objective = objective_of(whole, file.norm, file.constraints);
-  return chosen(fitted_constants(objective, options.round, checkpoint), "fitted",
-                "fitted: " + (options.round ? words_of_rounding(*options.round) : objective.words));
+  const OthersText words = options.round
+                               ? "the smallest largest error of constants in " + to_text(*options.round)
+                               : objective.words;
+  return chosen(fitted_constants(objective, options.round, checkpoint), "fitted", "fitted: " + words);
 }
 
 }  // namespace shadefit

@@ -10,11 +10,8 @@ inline void require(bool is_well, const char* what) {
   if (!is_well) throw std::runtime_error(what);
 }
 
-/// Whole fits: with nodes and samples ready, and from nothing.
+/// Whole fits of families, from nothing: by least squares and by their largest error.
 void register_fits();
-
-/// Minimax fits of the Fresnel pair.
-void register_minimax();
 
 /// The ledger, and each of its claims.
 void register_claims();

@@ -21,12 +21,7 @@ void register_claim(const Claim& claim) {
 void evaluate_all(benchmark::State& state) {
   for (auto _ : state) {
     Fits fits;
-    for (const Topic& topic : ledger()) {
-      for (const Claim& claim : topic.claims) {
-        const Finding finding = evaluate(claim, fits);
-        benchmark::DoNotOptimize(finding.evidence.data());
-      }
-    }
+    benchmark::DoNotOptimize(judge_claims([](std::string_view) { return true; }, fits).data());
   }
 }
 

@@ -10,7 +10,6 @@ int main(int argc, char** argv) try {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   shadefit::bench::register_fits();
-  shadefit::bench::register_minimax();
   shadefit::bench::register_claims();
   shadefit::bench::register_proofs();
   shadefit::bench::register_studies();

@@ -1,7 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include <string>
-
 #include "bench/solver/benchmarks.hpp"
 #include "fit/bounds/study_certificate.hpp"
 #include "fit/catalogue/published.hpp"

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <string_view>
-#include <variant>
 
 #include "fit/support/decimal.hpp"
 #include "reports/io/escape.hpp"
@@ -64,15 +62,7 @@ Json json_of(const scene::Range& range) {
   return Json::array({range.least, range.most});
 }
 
-}  // namespace
-
-Table decisions_table(const Plan& plan) {
-  Table table{.columns = {"term", "verdict", "form", "error", "reason"}};
-  for (const scene::Decision& d : plan.decisions)
-    table.rows.push_back({d.term, word(name(d.treatment)), d.form, bound(d.error), d.reason});
-  return table;
-}
-
+/// `material,lobe,power,largest,reason`, a row for each material.
 Table materials_table(const Scene& scene, const Plan& plan) {
   Table table{.columns = {"material", "lobe", "power", "largest", "reason"}};
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
@@ -83,6 +73,15 @@ Table materials_table(const Scene& scene, const Plan& plan) {
                           range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
                           OthersText(m.reason)});
   }
+  return table;
+}
+
+}  // namespace
+
+Table decisions_table(const Plan& plan) {
+  Table table{.columns = {"term", "verdict", "form", "error", "reason"}};
+  for (const scene::Decision& d : plan.decisions)
+    table.rows.push_back({d.term, word(name(d.treatment)), d.form, bound(d.error), d.reason});
   return table;
 }
 

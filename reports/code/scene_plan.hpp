@@ -12,9 +12,6 @@ namespace shadefit {
 /// `term,verdict,form,error,reason`, a row for each term: `scene.csv`.
 Table decisions_table(const scene::Plan& plan);
 
-/// `material,lobe,power,largest,reason`, a row for each material.
-Table materials_table(const scene::Scene& scene, const scene::Plan& plan);
-
 /// The plan on a terminal.
 std::string plan_text(const scene::Scene& scene, const scene::Plan& plan, const Terminal& terminal = {});
 

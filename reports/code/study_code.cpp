@@ -9,9 +9,9 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/joined.hpp"
-#include "reports/rows/statement.hpp"
 
 namespace shadefit {
 namespace {
@@ -76,6 +76,16 @@ std::string error_line(const std::vector<Study>& studies, const Constants& const
                      places);
 }
 
+/// A formula with the values of constants; other variables stay.
+Symbolic with_constants(const Symbolic& formula, const Constants& constants) {
+  return evaluate<Symbolic>(formula, [&](const std::string& variable) {
+    for (const auto& [name, text] : constants) {
+      if (name == variable) return Symbolic::number(decimal_of(text));
+    }
+    return Symbolic::variable(variable);
+  });
+}
+
 /// The form with its constants. A given constant of several values is an argument.
 ShaderFunction function_of(const std::string& name, Study study, const Constants& constants,
                            bool is_for_several) {
@@ -113,6 +123,11 @@ std::string function_name(std::string_view id) {
   std::string text(id);
   std::ranges::replace(text, '-', '_');
   return text;
+}
+
+std::string decimal_of(const std::string& text) {
+  const auto exact = parse_hex(text);
+  return exact ? fmt::format("{}", *exact) : text;
 }
 
 std::string constants_text(const Constants& constants) {

@@ -34,6 +34,9 @@ std::string code_below(const std::vector<OthersText>& head, const std::vector<Ot
 /// The name of the function of an id: "acos_linear".
 std::string function_name(std::string_view id);
 
+/// A constant's text in decimals: of a hexadecimal double its shortest decimal, any other text as it is.
+std::string decimal_of(const std::string& text);
+
 /// "a = -5.5, b = -7"
 std::string constants_text(const Constants& constants);
 

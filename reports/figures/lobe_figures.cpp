@@ -96,14 +96,6 @@ std::vector<Curve> curves_of(const std::vector<Approximation>& approximations, c
   return curves;
 }
 
-/// The rows of one fit over the angle, over the angles where its lobe is visible.
-Panel panel_over_angle(const Fit& fit, std::vector<Curve> curves, const std::string& settings) {
-  return {.settings = fmt::format("set xrange [0:{}]\n", last_angle(fit)) + settings,
-          .abscissa = "angle",
-          .where = fmt::format("column('exponent') == {}", *fit.exponent),
-          .curves = std::move(curves)};
-}
-
 /// A row of panels over the angle, one per fit.
 struct PanelRow {
   std::string y_label;
@@ -112,14 +104,19 @@ struct PanelRow {
   std::vector<Level> levels;
 };
 
-/// The exponents, with the name `letter`, stand above the columns.
+/// A panel has the angles where the lobe of its fit is visible. The exponents, with the name `letter`, stand
+/// above the columns.
 std::vector<Panel> panels_of(const std::vector<PanelRow>& rows, const std::vector<const Fit*>& fits,
                              const std::string& letter) {
   std::vector<Panel> panels;
   for (const PanelRow& row : rows) {
     for (const Fit* fit : fits) {
-      Panel& panel = panels.emplace_back(panel_over_angle(*fit, row.curves, row.settings));
-      panel.levels = row.levels;
+      Panel& panel = panels.emplace_back(
+          Panel{.settings = fmt::format("set xrange [0:{}]\n", last_angle(*fit)) + row.settings,
+                .abscissa = "angle",
+                .where = fmt::format("column('exponent') == {}", *fit->exponent),
+                .curves = row.curves,
+                .levels = row.levels});
       if (fit == fits.front()) panel.y_label = row.y_label;
       if (&row == &rows.front()) panel.title = fmt::format("{} = {}", letter, *fit->exponent);
       if (&row == &rows.back()) panel.x_label = "angle, degrees";

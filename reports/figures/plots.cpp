@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "approx/fresnel.hpp"
-#include "approx/lobe.hpp"
-#include "approx/phong_blinn.hpp"
 #include "reports/io/writers.hpp"
 
 namespace shadefit {

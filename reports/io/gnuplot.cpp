@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <list>
 #include <sstream>
-#include <string_view>
 #include <system_error>
 #include <thread>
 

@@ -57,6 +57,15 @@ Table with_columns_as_one(const Table& table, std::size_t first, std::size_t cou
   return result;
 }
 
+Table columns_of(const Table& table, const std::vector<std::size_t>& places) {
+  Table result{{}, std::vector<std::vector<Cell>>(table.rows.size())};
+  for (const std::size_t place : places) {
+    result.columns.push_back(table.columns[place]);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) result.rows[i].push_back(table.rows[i][place]);
+  }
+  return result;
+}
+
 Table transposed(const Table& table) {
   Table result{{table.columns.front()}};
   for (const auto& row : table.rows) result.columns.push_back(text(row.front(), Precision::report));

@@ -57,6 +57,9 @@ Table with_column(Table table, const std::string& column, const std::string& tex
 Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,
                           Precision precision);
 
+/// These columns of the table, in this order.
+Table columns_of(const Table& table, const std::vector<std::size_t>& places);
+
 /// The table with rows as columns: the first column has the titles.
 Table transposed(const Table& table);
 

@@ -47,17 +47,7 @@ Table fits_stress_table(const std::vector<Fit>& fits) {
 }
 
 Table stress_summary(const Table& forms) {
-  Table summary;
-  const auto chosen = [](const auto& row) {
-    auto some = row;
-    some.clear();
-    for (const std::size_t i : {0UL, 1UL, 4UL, 7UL, 9UL, 10UL, 11UL, 12UL, 13UL, 14UL})
-      some.push_back(row[i]);
-    return some;
-  };
-  summary.columns = chosen(forms.columns);
-  for (const auto& row : forms.rows) summary.rows.push_back(chosen(row));
-  return summary;
+  return columns_of(forms, {0, 1, 4, 7, 9, 10, 11, 12, 13, 14});
 }
 
 std::string broken_lines(const std::vector<FormTrial>& trials) {

@@ -98,6 +98,13 @@ void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& asses
   out.origins.push_back({&refit, nullptr, 0});
 }
 
+/// The metric that gives a published number, and for which exponents.
+std::string under(const Assessment& assessment) {
+  const auto& range = assessment.holds_for;
+  if (!range) return assessment.judgement.objective;
+  return fmt::format("{}, k = {:.3g} to {:.3g}", assessment.judgement.objective, range->from, range->to);
+}
+
 }  // namespace
 
 FitsTable fits_table(const std::vector<Refit>& refits) {
@@ -124,13 +131,6 @@ FitsTable fits_table(const std::vector<Refit>& refits) {
   return out;
 }
 
-/// "confirmed", "other-objective: angle".
-std::string verdict_text(const Judgement& judgement) {
-  const std::string_view verdict = name(judgement.verdict);
-  return judgement.verdict == Verdict::other_objective ? fmt::format("{}: {}", verdict, judgement.objective)
-                                                       : std::string(verdict);
-}
-
 Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
   Table table{{"constant", "exponent", "closed_form", "integral", "relative_difference", "estimated_error",
                "verdict"}};
@@ -146,13 +146,6 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
                           word(is_close ? "close" : verdict)});
   }
   return table;
-}
-
-/// The metric that gives a published number, and for which exponents.
-std::string under(const Assessment& assessment) {
-  const auto& range = assessment.holds_for;
-  if (!range) return assessment.judgement.objective;
-  return fmt::format("{}, k = {:.3g} to {:.3g}", assessment.judgement.objective, range->from, range->to);
 }
 
 Table summary_table(const Results& results) {

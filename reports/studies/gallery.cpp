@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "reports/io/escape.hpp"
 #include "reports/io/writers.hpp"
@@ -63,24 +62,10 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
 
 /// The same rows for the page: the important columns first, with titles in words.
 Table table_of_page(const Table& rows) {
-  const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", 0},
-                                                                 {"Used in", 3},
-                                                                 {"Verdict", 4},
-                                                                 {"Error as published", 6},
-                                                                 {"Best at the same cost", 8},
-                                                                 {"Times better", 9},
-                                                                 {"Instructions", 7},
-                                                                 {"Of the best", 10},
-                                                                 {"Form", 1},
-                                                                 {"Least error", 12},
-                                                                 {"which loses", 13},
-                                                                 {"Source", 2}};
-  Table table;
-  for (const auto& column : columns) table.columns.push_back(column.first);
-  for (const auto& row : rows.rows) {
-    std::vector<Cell>& cells = table.rows.emplace_back();
-    for (const auto& column : columns) cells.push_back(row[column.second]);
-  }
+  Table table = columns_of(rows, {0, 3, 4, 6, 8, 9, 7, 10, 1, 12, 13, 2});
+  table.columns = {
+      "Constants",    "Used in",     "Verdict", "Error as published", "Best at the same cost", "Times better",
+      "Instructions", "Of the best", "Form",    "Least error",        "which loses",           "Source"};
   return table;
 }
 

@@ -39,7 +39,7 @@ struct ReadCertificate {
 
 /// Reads a certificate. `name` is for messages. Throws UserError with one line if `parse_own_json` refuses
 /// the text, if it is not a certificate or has another version, if a field is missing, or if a field is not
-/// as shadefit writes it. Those that early builds wrote for families are refused by their kind.
+/// as shadefit writes it.
 ReadCertificate read_study_certificate(const std::string& text, const std::string& name);
 
 }  // namespace shadefit

@@ -88,15 +88,12 @@ std::string cost_text(const StudyContender& published, const StudyContender& bet
 
 /// The table without the columns that have nothing to say.
 Table without_empty_columns(const Table& table) {
-  Table result{{}, std::vector<std::vector<Cell>>(table.rows.size())};
+  std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool is_empty = std::ranges::all_of(
-        table.rows, [&](const auto& row) { return text(row[i], Precision::report).empty(); });
-    if (is_empty) continue;
-    result.columns.push_back(table.columns[i]);
-    for (std::size_t j = 0; j < table.rows.size(); ++j) result.rows[j].push_back(table.rows[j][i]);
+    const auto has_text = [&](const auto& row) { return !text(row[i], Precision::report).empty(); };
+    if (std::ranges::any_of(table.rows, has_text)) shown.push_back(i);
   }
-  return result;
+  return columns_of(table, shown);
 }
 
 }  // namespace

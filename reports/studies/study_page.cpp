@@ -13,9 +13,9 @@
 #include "reports/figures/pictures.hpp"
 #include "reports/io/escape.hpp"
 #include "reports/io/joined.hpp"
-#include "reports/rows/rounded.hpp"
 #include "reports/studies/html.hpp"
 #include "reports/studies/study_comparison.hpp"
+#include "reports/studies/study_extras.hpp"
 #include "reports/studies/study_report.hpp"
 #include "reports/studies/study_rows.hpp"
 

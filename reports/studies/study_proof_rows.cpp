@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <ranges>
+
 #include "fit/support/hex_float.hpp"
+#include "reports/code/study_code.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
-#include "reports/rows/statement.hpp"
 #include "reports/studies/study_rows.hpp"
 
 namespace shadefit {
@@ -97,13 +99,6 @@ void add_study_proof(Json& fit, const ProvenStudy& proof) {
   for (const char* key : {"certified_max_error", "certified_max_error_at", "boxes"}) fit[key] = all[key];
 }
 
-std::string attained_text(const StudyCertificate& certificate) {
-  auto coordinate = certificate.attained.begin();
-  return joined(certificate.subject.study.over, ", ", [&](const StudyRange& range) {
-    return fmt::format("{} = {}", range.variable, *coordinate++);
-  });
-}
-
 std::string statement_of(const StudyCertificate& certificate) {
   const auto& [study, parameters] = certificate.subject;
   std::string text;
@@ -121,7 +116,8 @@ std::string statement_of(const StudyCertificate& certificate) {
     line("range", fmt::format("{} from {} to {}", study.over[i].variable, range.lower, range.upper));
   }
   line("largest", fmt::format("at least {}, at most {}", certificate.lower, certificate.upper));
-  line("at", attained_text(certificate));
+  const auto variables = std::views::transform(study.over, &StudyRange::variable);
+  line("at", equations(variables, certificate.attained));
   return text;
 }
 

@@ -34,9 +34,6 @@ nlohmann::ordered_json study_proof_json(const ProvenStudy& proof);
 /// Adds the proven bounds to the JSON of a fit: `certified_max_error`, `certified_max_error_at`, `boxes`.
 void add_study_proof(nlohmann::ordered_json& fit, const ProvenStudy& proof);
 
-/// "x = 0.5, y = 1": the place where the lower bound is attained.
-std::string attained_text(const StudyCertificate& certificate);
-
 /// What a certificate states, a line for each fact.
 std::string statement_of(const StudyCertificate& certificate);
 

@@ -10,7 +10,6 @@
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
 #include "reports/io/joined.hpp"
-#include "reports/rows/alternation.hpp"
 #include "reports/rows/fit_json.hpp"
 
 namespace shadefit {
@@ -83,29 +82,6 @@ std::string bounds_text(const ParameterBounds& of) {
   return fmt::format("{} in {}:{}", of.parameter, to_text(of.lower), to_text(of.upper));
 }
 
-/// A place as an object of variables to values.
-Json place_json(const FittedStudy& study, const std::vector<double>& at) {
-  Json object = Json::object();
-  for (std::size_t i = 0; i < at.size(); ++i) object[study.read.axes[i].variable] = at[i];
-  return object;
-}
-
-Json alternation_json(const FittedStudy& study) {
-  Json points = Json::array();
-  const Constraints& constraints = study.objective.constraints;
-  for (const AlternationPoint& point : study.fit.alternation) {
-    points.push_back({{study.read.axes.front().variable, point.at.cos_theta},
-                      {"error", point.error},
-                      {"holds", what_holds(point, constraints)}});
-  }
-  for (const StudyContact& contact : study.fit.touching) {
-    points.push_back(place_json(study, contact.at));
-    points.back()["error"] = contact.error;
-    points.back()["holds"] = "level";
-  }
-  return points;
-}
-
 Json published_json(const FittedStudy& study) {
   return json_array(study.published, [](const JudgedSet& judged) -> Json {
     const auto& [set, judgement] = judged;
@@ -156,31 +132,6 @@ void add_row_fields(Json& object, const FittedStudy& study) {
   object["standard_error"] = statistics ? errors : Json();
   object["covariance"] = statistics ? covariance : Json();
   object["profile"] = statistics ? profile : Json();
-}
-
-/// "- at x = 0.5", "+ at (0.25, 1)".
-std::string contact_text(const StudyContact& contact, const std::string& variable) {
-  const std::string at = joined(contact.at, ", ", [](double x) { return fmt::format("{:.6g}", x); });
-  const std::string place = contact.at.size() == 1 ? variable + " = " + at : "(" + at + ")";
-  return fmt::format("{} at {}", contact.error < 0 ? "-" : "+", place);
-}
-
-/// "Level 0.5, the error is + at (0, 1), - at (1, 1)", and a line for each further level.
-std::string contacts_text(const StudyFit& fit, const std::string& variable) {
-  // Contacts of one level differ by rounding.
-  constexpr double same = 1e-9;
-  std::string text;
-  double level = *fit.level;
-  for (const StudyContact& contact : fit.touching) {
-    const double magnitude = std::abs(contact.error);
-    const bool is_lower = magnitude < level * (1 - same);
-    if (is_lower)
-      text += fmt::format("\nThe others have the level {:.10g}: ", level = magnitude);
-    else if (!text.empty())
-      text += ", ";
-    text += contact_text(contact, variable);
-  }
-  return text;
 }
 
 }  // namespace
@@ -255,24 +206,6 @@ OthersText study_headline(const FittedStudy& study) {
   const std::string weight = study.asked().weight == "1" ? "" : ", weight " + study.asked().weight;
   return formulas_text(study.asked()) + ", " + study.objective.words + weight +
          joined(study.read.bounds, "", [](const ParameterBounds& of) { return ", " + bounds_text(of); });
-}
-
-std::string level_text(const FittedStudy& study) {
-  if (!is_answer(study)) return "";
-  const StudyFit& fit = study.fit;
-  const Constraints& constraints = study.objective.constraints;
-  const std::string& variable = study.read.axes.front().variable;
-  const std::string touching = touching_lines(fit.alternation, constraints, variable);
-  const std::string at_bounds = joined(fit.at_bounds, "", [](const Held& at) {
-    return fmt::format("{} is at its bound {}\n", at.parameter, to_text(at.value));
-  });
-  if (!fit.level) return touching + at_bounds;
-  if (*fit.level == 0) return "Level 0: the form is its target.\n" + at_bounds;
-  const char* others =
-      fit.is_unique ? "" : "Other constants have this level too. These have the least mean square of them.\n";
-  return fmt::format("Level {:.10g}, the error is {}{}\n{}{}{}", *fit.level,
-                     level_places(fit.alternation, constraints, variable), contacts_text(fit, variable),
-                     others, touching, at_bounds);
 }
 
 Table uncertainty_table(const std::vector<FittedStudy>& studies) {

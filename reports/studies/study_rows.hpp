@@ -54,6 +54,13 @@ OthersText study_headline(const FittedStudy& study);
 /// where a constraint touches.
 std::string level_text(const FittedStudy& study);
 
+/// A place as an object of variables to values.
+nlohmann::ordered_json place_json(const FittedStudy& study, const std::vector<double>& at);
+
+/// The same of a minimax fit as an array: each place with its error, and "level" or the constraint that holds
+/// there.
+nlohmann::ordered_json alternation_json(const FittedStudy& study);
+
 /// Of fits of measured rows, a row for each parameter: its standard error, and its profile interval, of which
 /// an end may be "open".
 Table uncertainty_table(const std::vector<FittedStudy>& studies);

@@ -2,8 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "app/commands/command_line.hpp"
 #include "reports/findings/baseline.hpp"
@@ -53,38 +51,6 @@ TEST(BadBaseline, FilesAndFolders) {
   EXPECT_TRUE(other.err.starts_with(
       "shadefit: '" + cut + "' has other columns (constant,fitted): they must be constant,parameter,"))
       << other.err;
-}
-
-// In each case one file of the baseline is wrong; the other is the committed one.
-TEST(BadBaseline, FilesThatAreNoTables) {
-  const std::string baseline = SHADEFIT_SOURCE_DIR "/reports/baseline";
-  const std::string fits = read_file(baseline + "/fits.csv");
-  const auto second_line = fits.find('\n') + 1;
-  const auto with = [&](const std::string& bytes) {
-    return fits.substr(0, second_line) + bytes + fits.substr(second_line);
-  };
-  std::string windows = fits;
-  for (std::size_t i = 0; (i = windows.find('\n', i)) != std::string::npos; i += 2)
-    windows.insert(i, 1, '\r');
-  const std::string quote = fits.substr(0, second_line) + "sg-offset,\"x";
-
-  const TemporaryDirectory directory;
-  for (const File& table : read_baseline(baseline).files) directory.file(table.name, table.content);
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {"", " is empty: a table needs a header line"},
-      {"\xEF\xBB\xBF" + fits, " line 1 begins with a byte order mark: a table is plain UTF-8"},
-      {windows, " line 1 has a carriage return: lines end in LF alone"},
-      {with("caf\xE9"), " line 2 holds the byte 0xe9 out of place: a table is UTF-8"},
-      {with("\xED\xA0\x80"), " line 2 holds the byte 0xed out of place: a table is UTF-8"},
-      {with(std::string(1, '\0')), " line 2 holds the byte 0x00: a table is plain text"},
-      {with("\x1B[2J"), " line 2 holds the byte 0x1b: a table is plain text"},
-      {quote, " line 2 is truncated: it has no end"},
-      {quote + "\n", " line 2 opens a quote and never closes it"},
-      {fits + "\n", " line 125 has 1 cells: the header has 18"}};
-  for (const auto& [content, rule] : cases) {
-    const std::string file = directory.file("fits.csv", content);
-    expect_refusal({"check", "--baseline", directory.path().string()}, "'" + file + "'" + rule);
-  }
 }
 
 }  // namespace

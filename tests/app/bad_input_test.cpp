@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,6 @@ using testing::TemporaryDirectory;
 TEST(BadInput, UnknownIdsSuggestTheNearest) {
   expect_refusal({"fit", "fresnel-quadratc"},
                  "unknown form, constant or study 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
-  expect_refusal({"fit", "sg-ofset"},
-                 "unknown form, constant or study 'sg-ofset': did you mean 'sg-offset'?");
   expect_refusal({"explain", "sg-offset-men"},
                  "unknown claim, family or study 'sg-offset-men': did you mean 'sg-offset-mean'?");
   expect_refusal({"list", "--verdict", "wrong"},
@@ -44,18 +43,19 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
 }
 
 TEST(BadInput, Exponents) {
-  const std::string rule = ": give K or A:B:STEP, separated by commas";
-  expect_refusal({"fit", "sg-offset", "--exponent", "0"}, "--exponent '0' is not greater than 0" + rule);
-  expect_refusal({"fit", "sg-offset", "--exponent", "-1"}, "--exponent '-1' is not greater than 0" + rule);
-  expect_refusal({"fit", "sg-offset", "--exponent=-2.5"}, "--exponent '-2.5' is not greater than 0" + rule);
-  for (const char* text : {"nan", "inf", "-inf", "five", ""}) {
+  for (const auto& [text, rule] :
+       std::vector<std::pair<std::string, std::string>>{{"0", "not greater than 0"},
+                                                        {"-1", "not greater than 0"},
+                                                        {"-2.5", "not greater than 0"},
+                                                        {"nan", "not a finite number"},
+                                                        {"inf", "not a finite number"},
+                                                        {"-inf", "not a finite number"},
+                                                        {"five", "not a finite number"},
+                                                        {"", "not a finite number"},
+                                                        {"1e400", "beyond the range of a double"},
+                                                        {"1:2", "not a range A:B:STEP"}})
     expect_refusal({"fit", "sg-offset", "--exponent", text},
-                   "--exponent '" + std::string(text) + "' is not a finite number" + rule);
-  }
-  expect_refusal({"fit", "sg-offset", "--exponent", "1e400"},
-                 "--exponent '1e400' is beyond the range of a double" + rule);
-  expect_refusal({"fit", "sg-offset", "--exponent", "1:2"},
-                 "--exponent '1:2' is not a range A:B:STEP" + rule);
+                   "--exponent '" + text + "' is " + rule + ": give K or A:B:STEP, separated by commas");
   expect_refusal({"fit", "fresnel-quadratic", "--exponent", "5"},
                  "--exponent k: no formula of the study has this name");
   expect_refusal(
@@ -66,19 +66,17 @@ TEST(BadInput, Exponents) {
 }
 
 TEST(BadInput, Domains) {
-  for (const char* text : {"", "0.5", "0:x", "nan:1", "0:inf", ":1"}) {
-    expect_refusal({"fit", "sg-offset", "--domain", text},
-                   "--domain '" + std::string(text) +
-                       "' is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
-  }
-  for (const char* text : {"0.5:0.5", "0.75:0.25"}) {
-    expect_refusal({"fit", "sg-offset", "--domain", text},
-                   "--domain '" + std::string(text) + "' is empty or reversed: A must be less than B");
-  }
-  expect_refusal({"fit", "sg-offset", "--domain", "0:2"},
-                 "--domain '0:2' is not inside 0:1: A and B are cosines");
-  expect_refusal({"fit", "sg-offset", "--domain=-1:1"},
-                 "--domain '-1:1' is not inside 0:1: A and B are cosines");
+  const auto refuse = [](const std::vector<std::string>& domains, const std::string& rule) {
+    for (const std::string& domain : domains)
+      expect_refusal(domain.starts_with('-')
+                         ? std::vector<std::string>{"fit", "sg-offset", "--domain=" + domain}
+                         : std::vector<std::string>{"fit", "sg-offset", "--domain", domain},
+                     "--domain '" + domain + "' is " + rule);
+  };
+  refuse({"", "0.5", "0:x", "nan:1", "0:inf", ":1", "0x10:1", "0:1e400"},
+         "not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
+  refuse({"0.5:0.5", "0.75:0.25"}, "empty or reversed: A must be less than B");
+  refuse({"0:2", "-1:1", "-1e-320:1", "0:1.0000000000000002"}, "not inside 0:1: A and B are cosines");
   // Every verb has the same rule for the narrowest domain. A domain of that width gives an answer, or a fit
   // that did not converge.
   const std::vector<std::vector<std::string>> verbs{
@@ -91,14 +89,10 @@ TEST(BadInput, Domains) {
       arguments.emplace_back(domain);
       return arguments;
     };
-    expect_refusal(
-        on("0.5:0.5000000000000001"),
-        "--domain '0.5:0.5000000000000001' is 1.11e-16 wide: at least 1e-10, a million roundings of a "
-        "cosine");
-    expect_refusal(on("0:1e-320"),
-                   "--domain '0:1e-320' is 1e-320 wide: at least 1e-10, a million roundings of a cosine");
-    expect_refusal(on("0:9e-11"),
-                   "--domain '0:9e-11' is 9e-11 wide: at least 1e-10, a million roundings of a cosine");
+    for (const auto& [domain, width] :
+         {std::pair("0.5:0.5000000000000001", "1.11e-16"), {"0:1e-320", "1e-320"}, {"0:9e-11", "9e-11"}})
+      expect_refusal(on(domain), std::string("--domain '") + domain + "' is " + width +
+                                     " wide: at least 1e-10, a million roundings of a cosine");
     for (const char* domain : {"0:1e-10", "0.5:0.5000000002", "0.9999999998:1"}) {
       // Next to an end `better` searches the basins of all forms for half a minute.
       if (call.front() == "better" && domain != std::string_view("0.5:0.5000000002")) continue;
@@ -110,41 +104,38 @@ TEST(BadInput, Domains) {
 }
 
 TEST(BadInput, Targets) {
-  expect_refusal({"fit", "fresnel-quadratic", "--target", "snell"},
-                 "--target 'snell' is unknown: it must be one of schlick, exact; a formula needs a --form");
-  expect_refusal({"fit", "sg-offset", "--ior", "1.5"},
-                 "--ior '1.5' does not apply: sg-offset is not a Fresnel form");
-  expect_refusal({"certify", "sg-offset-limit", "--target", "bogus"},
-                 "--target 'bogus' is unknown: it must be one of schlick, exact; a formula needs a --form");
-  expect_refusal({"fit", "phong-blinn", "--ior", "-3"},
-                 "--ior '-3' does not apply: phong-blinn is not a Fresnel form");
-  expect_refusal({"fit", "sg-offset", "--extinction", "2"},
-                 "--extinction '2' does not apply: sg-offset is not a Fresnel form");
-  expect_refusal({"fit", "fresnel-quadratic", "--extinction", "2"},
-                 "--extinction '2' does not apply: it belongs to --ior");
-  expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--extinction", "-1"},
-                 "--extinction '-1' is negative: it must be 0 or more");
-  expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--extinction", "inf"},
-                 "--extinction 'inf' is not a finite number");
-  expect_refusal({"fit", "sg-offset", "--target", "exact"},
-                 "--target 'exact' does not apply: sg-offset is not a Fresnel form");
-  for (const char* target : {"schlick", "exact"}) {
-    for (const char* ior : {"0", "-1.5", "1"}) {
-      expect_refusal(
-          {"fit", "fresnel-quadratic", "--target", target, "--ior", ior},
-          "--ior '" + std::string(ior) + "' must be greater than 0, and not 1 without --extinction");
-    }
+  const std::string unknown = "is unknown: it must be one of schlick, exact; a formula needs a --form";
+  for (const auto& [id, option, value, rule] :
+       std::vector<std::tuple<std::string, std::string, std::string, std::string>>{
+           {"fresnel-quadratic", "--target", "snell", unknown},
+           {"sg-offset-limit", "--target", "bogus", unknown},
+           {"sg-offset", "--target", "exact", "does not apply: sg-offset is not a Fresnel form"},
+           {"sg-offset", "--ior", "1.5", "does not apply: sg-offset is not a Fresnel form"},
+           {"phong-blinn", "--ior", "-3", "does not apply: phong-blinn is not a Fresnel form"},
+           {"sg-offset", "--extinction", "2", "does not apply: sg-offset is not a Fresnel form"},
+           {"sg-offset", "--f0", "0.04", "does not apply: sg-offset is not a Fresnel form"},
+           {"fresnel-quadratic", "--extinction", "2", "does not apply: it belongs to --ior"}})
+    expect_refusal({"certify", id, option, value}, option + " '" + value + "' " + rule);
+  const auto refuse_exact = [](const std::string& option, const std::string& value, const std::string& rule) {
+    for (const char* verb : {"fit", "better"})
+      expect_refusal({verb, "fresnel-quadratic", "--target", "exact", option, value},
+                     option + " '" + value + "' " + rule);
+  };
+  refuse_exact("--extinction", "-1", "is negative: it must be 0 or more");
+  for (const char* text : {"inf", "nan", "0x10", "1e400"}) {
+    refuse_exact("--extinction", text, "is not a finite number");
+    refuse_exact("--ior", text, "is not a finite number");
   }
-  for (const char* verb : {"fit", "better"}) {
-    for (const char* ior : {"1e+300", "1e+17", "1e-300", "1e-320"}) {
-      expect_refusal({verb, "fresnel-quadratic", "--target", "exact", "--ior", ior},
-                     "--ior '" + std::string(ior) +
-                         "' reflects all light at normal incidence, to the precision of a double: no "
-                         "reflectance is above f0");
-    }
+  for (const char* ior : {"0", "-1.5", "1"}) {
+    const std::string rule = "must be greater than 0, and not 1 without --extinction";
+    refuse_exact("--ior", ior, rule);
+    expect_refusal({"fit", "fresnel-quadratic", "--target", "schlick", "--ior", ior},
+                   "--ior '" + std::string(ior) + "' " + rule);
   }
-  expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", "nan"},
-                 "--ior 'nan' is not a finite number");
+  for (const char* ior : {"1e+300", "1e+17", "1e-300", "1e-320"})
+    refuse_exact("--ior", ior,
+                 "reflects all light at normal incidence, to the precision of a double: no reflectance is "
+                 "above f0");
 }
 
 TEST(BadInput, Objectives) {
@@ -161,8 +152,6 @@ TEST(BadInput, Objectives) {
       {"--error", "relative", "--f0", "0"},
       "--error 'relative' divides by zero: with --f0 '0' the reflectance F is 0 at c = 1; end the domain below 1 "
       "or raise f0");
-  expect_refusal({"fit", "sg-offset", "--f0", "0.04"},
-                 "--f0 '0.04' does not apply: sg-offset is not a Fresnel form");
   expect_refusal(
       {"fit", "sg-offset", "--exponent", "100", "--error", "relative", "--domain", "0:0.5"},
       "--error 'relative' has no meaning for sg-offset at exponent 100 on 0:0.5: its target is below "
@@ -242,18 +231,6 @@ TEST(BadInput, WhatIsPrintedIsOneLineOfUtf8) {
 // Every positive number is accepted, however small. The fit then ends with a status, never with a start
 // value.
 TEST(BadInput, NumbersAtTheEdgeOfADouble) {
-  expect_refusal({"fit", "sg-offset", "--domain", "0x10:1"},
-                 "--domain '0x10:1' is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
-  expect_refusal({"fit", "sg-offset", "--domain", "0:1e400"},
-                 "--domain '0:1e400' is not a pair A:B of finite numbers, such as 0:1 or cos(60deg):1");
-  expect_refusal({"fit", "sg-offset", "--domain=-1e-320:1"},
-                 "--domain '-1e-320:1' is not inside 0:1: A and B are cosines");
-  expect_refusal({"fit", "sg-offset", "--domain", "0:1.0000000000000002"},
-                 "--domain '0:1.0000000000000002' is not inside 0:1: A and B are cosines");
-  for (const char* ior : {"0x10", "1e400", "inf"}) {
-    expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", ior},
-                   "--ior '" + std::string(ior) + "' is not a finite number");
-  }
   const auto expect_no_answer = [](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "fit");
     arguments.emplace_back("--json");
@@ -317,7 +294,6 @@ TEST(BadInput, Usage) {
       "check, lint, help" +
           see(""));
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
-  expect_refusal({"help", "chekc"}, "unknown command 'chekc': did you mean 'check'?");
   expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
   expect_refusal({"--completion", "tcsh"},
                  "--completion 'tcsh' is unknown: it must be one of bash, zsh, man");
@@ -333,8 +309,7 @@ TEST(BadInput, Usage) {
   expect_refusal({"list", "nowhere"}, "no id contains 'nowhere': 'shadefit list' prints all ids");
   expect_refusal({"list", "missing.toml"}, "cannot read 'missing.toml': there is no such file");
   expect_refusal({"list", "schlick", "more"}, "unexpected argument 'more'" + see(" list"));
-  expect_refusal({"fit", "sg-offset", "--exponent", "--json"},
-                 "--exponent '--json' looks like an option: name a value (a path may begin with './')");
+  expect_refusal({"stress", "lobe"}, "unexpected argument 'lobe'" + see(" stress"));
   expect_refusal({"fit", "sg-offset", "--json", "--csv"}, "--json excludes --csv" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--json", "--latex"}, "--json excludes --latex" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--csv", "--latex"}, "--csv excludes --latex" + see(" fit"));

@@ -21,13 +21,12 @@ using testing::expect_has;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::TemporaryDirectory;
+using testing::with;
 
 using Words = std::vector<std::string>;
 
 Words fit_of(const std::string& target, const std::string& form, const Words& more) {
-  Words words{"fit", "--target", target, "--form", form};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+  return with({"fit", "--target", target, "--form", form}, more);
 }
 
 double first_parameter(const Words& words) {
@@ -38,17 +37,13 @@ double first_parameter(const Words& words) {
 TEST(Doors, OtherNotationsAreTheSame) {
   const auto acos_on = [](const Words& more) { return fit_of("acos(x)", "sqrt(1-x) (a + b x)", more); };
   const Words family{"fit", "fresnel-one-term"};
-  const auto on = [](Words words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  };
   const std::array<std::pair<Words, Words>, 13> same{{
-      {on(family, {"--domain", "cos(pi/3):1"}), on(family, {"--domain", "0.5:1"})},
-      {on(family, {"--domain", "0deg:60deg"}), on(family, {"--domain", "0.5:1"})},
-      {on(family, {"--domain", "60deg:1"}), on(family, {"--domain", "0.5:1"})},
-      {on(family, {"--domain", "0deg:90deg"}), family},
-      {on(family, {"--range", "cos(60deg):1"}), on(family, {"--domain", "0.5:1"})},
-      {on(family, {"--range=0.5:1"}), on(family, {"--domain", "0.5:1"})},
+      {with(family, {"--domain", "cos(pi/3):1"}), with(family, {"--domain", "0.5:1"})},
+      {with(family, {"--domain", "0deg:60deg"}), with(family, {"--domain", "0.5:1"})},
+      {with(family, {"--domain", "60deg:1"}), with(family, {"--domain", "0.5:1"})},
+      {with(family, {"--domain", "0deg:90deg"}), family},
+      {with(family, {"--range", "cos(60deg):1"}), with(family, {"--domain", "0.5:1"})},
+      {with(family, {"--range=0.5:1"}), with(family, {"--domain", "0.5:1"})},
       {acos_on({"--over", "x=cos(60deg):1"}), acos_on({"--over", "x=0.5:1"})},
       {acos_on({"--range", "x=0.5:1"}), acos_on({"--over", "x=0.5:1"})},
       {fit_of("sin(t)", "a t", {"--over", "t=0deg:30deg"}), fit_of("sin(t)", "a t", {"--over", "t=0:pi/6"})},
@@ -66,11 +61,7 @@ TEST(Doors, OtherNotationsAreTheSame) {
 
 TEST(Doors, SlipsAreAnsweredInOneLine) {
   const Words acos{"fit", "--target", "acos(x)", "--form", "a + b x"};
-  const auto over = [&](const std::string& range) {
-    Words words = acos;
-    words.insert(words.end(), {"--over", range});
-    return words;
-  };
+  const auto over = [&](const std::string& range) { return with(acos, {"--over", range}); };
   const auto form = [&](const std::string& text) { return fit_of("acos(x)", text, {"--over", "x=0:1"}); };
   const auto target = [&](const std::string& text) { return fit_of(text, "a x", {"--over", "x=0.5:1"}); };
   const std::array<std::pair<Words, std::string>, 39> all{{
@@ -160,13 +151,12 @@ TEST(Doors, AValueThatIsMissingIsExplained) {
   const auto error_of = [](const std::string& target, const std::string& range) {
     return run_command_line(fit_of(target, "a + b x", {"--over", "x=" + range})).err;
   };
-  const auto has = [](const std::string& text, const std::string& part) { expect_has(text, part); };
-  has(error_of("acos(x)", "0:2"), "at x = 1.");
-  has(error_of("acos(x)", "0:2"), ") is nan, and acos takes -1 to 1");
-  has(error_of("1 + log(x - 1)", "0:2"), ") is nan, and log takes numbers above 0");
-  has(error_of("x < 0.5 ? 1 : sqrt(x - 1)", "0:1"), ") is nan, and sqrt takes 0 and numbers above");
-  has(error_of("pow(x - 1, 0.5)", "0:1"), " is nan, and a power takes a base of 0 or more");
-  has(error_of("exp(1000 x)", "0:1"), ") is inf");
+  expect_has(error_of("acos(x)", "0:2"), "at x = 1.");
+  expect_has(error_of("acos(x)", "0:2"), ") is nan, and acos takes -1 to 1");
+  expect_has(error_of("1 + log(x - 1)", "0:2"), ") is nan, and log takes numbers above 0");
+  expect_has(error_of("x < 0.5 ? 1 : sqrt(x - 1)", "0:1"), ") is nan, and sqrt takes 0 and numbers above");
+  expect_has(error_of("pow(x - 1, 0.5)", "0:1"), " is nan, and a power takes a base of 0 or more");
+  expect_has(error_of("exp(1000 x)", "0:1"), ") is inf");
 }
 
 // Numbers that are all given: their errors, and no fit.
@@ -200,22 +190,16 @@ TEST(Doors, TablesComeAsOtherToolsWriteThem) {
   const std::string savetxt = directory.file(
       "a.txt", "# of a test\n# x y\n0.000e+00 1.000e+00\n1.000e+00 3.000e+00\n2.000e+00 5.500e+00\n");
   const Words fit{"fit", "--form", "a x + b", "--over", "x", "--value", "y", "--table"};
-  const auto with = [&](const std::string& file) {
-    Words words = fit;
-    words.push_back(file);
-    return words;
-  };
-  EXPECT_NEAR(first_parameter(with(savetxt)), 2.25, 1e-14);
+  const auto of = [&](const std::string& file) { return with(fit, {file}); };
+  EXPECT_NEAR(first_parameter(of(savetxt)), 2.25, 1e-14);
   const std::string bad = directory.file("b.txt", "# of a test\n# x y\n0 1\n1 two\n");
-  expect_refusal(with(bad), "'" + bad + "', line 4: y 'two' is not a finite number");
+  expect_refusal(of(bad), "'" + bad + "', line 4: y 'two' is not a finite number");
   // The place of a row is that in its file.
   const std::string low = directory.file("c.txt", "# of a test\n# x y\n0 1\n1 2\n3 4\n");
-  Words weighted = with(low);
-  weighted.insert(weighted.end(), {"--weight", "x"});
-  expect_refusal(weighted,
+  expect_refusal(with(of(low), {"--weight", "x"}),
                  "--weight must be finite and greater than 0; it is not at line 3 of '" + low + "'");
   const auto from_pipe = [&](const std::string& text) {
-    return testing::run_process(with("-"), [&] {
+    return testing::run_process(of("-"), [&] {
       std::array<int, 2> input{};
       if (::pipe(input.data()) != 0 || ::write(input[1], text.data(), text.size()) < 0) ::_exit(127);
       ::dup2(input[0], STDIN_FILENO);

@@ -11,6 +11,8 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::expect_refusal;
 using testing::snapshot;
 using testing::TemporaryDirectory;
@@ -23,66 +25,56 @@ std::string emitted(std::vector<std::string> arguments) {
   return outcome.out;
 }
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Emit, ThePublishedPair) {
   const std::string code = emitted({"fresnel-quadratic", "--lang", "glsl"});
-  EXPECT_TRUE(holds(code, "// shadefit emit fresnel-quadratic --lang glsl\n")) << code;
-  EXPECT_TRUE(holds(code, "// a = -5.55473, b = -6.98316 (published: Lagarde")) << code;
+  expect_has(code, "// shadefit emit fresnel-quadratic --lang glsl\n");
+  expect_has(code, "// a = -5.55473, b = -6.98316 (published: Lagarde");
   // 0.0037664127395.. of the 50-digit references, rounded up
-  EXPECT_TRUE(
-      holds(code, "// Proven: absolute error at most 0.003767 for c in [0, 1], in exact arithmetic.\n"))
-      << code;
-  EXPECT_TRUE(holds(code,
-                    "float fresnel_quadratic(float c) {\n"
-                    "  return exp2((-5.55473 * c - 6.98316) * c);\n}\n"))
-      << code;
+  expect_has(code, "// Proven: absolute error at most 0.003767 for c in [0, 1], in exact arithmetic.\n");
+  expect_has(code,
+             "float fresnel_quadratic(float c) {\n"
+             "  return exp2((-5.55473 * c - 6.98316) * c);\n}\n");
 }
 
 // The proof is about the constants as they are printed above the code.
 TEST(Emit, HalfSaysThatItsRoundingComesOnTop) {
   const std::string words = "// The rounding of constants and operations to half comes on top.\n";
   for (const char* id : {"fresnel-quadratic", "acos-linear"}) {
-    EXPECT_TRUE(holds(emitted({id, "--lang", "glsl", "--precision", "half"}), words)) << id;
-    EXPECT_FALSE(holds(emitted({id, "--lang", "glsl"}), words)) << id;
+    expect_has(emitted({id, "--lang", "glsl", "--precision", "half"}), words);
+    expect_lacks(emitted({id, "--lang", "glsl"}), words);
   }
 }
 
 TEST(Emit, ALobeOfOnePowerOrOfAny) {
   const std::string any = emitted({"sg-offset-mean", "--lang", "hlsl", "--name", "lobe"});
-  EXPECT_TRUE(holds(any, "// shadefit emit sg-offset-mean --lang hlsl --name lobe\n")) << any;
-  EXPECT_TRUE(holds(any, ", k = 3 to 15 (13 values), in exact")) << any;
-  EXPECT_TRUE(holds(any, "float lobe(float c, float k) {\n  return exp((k + 0.775f) * (c - 1.0f));\n}\n"))
-      << any;
+  expect_has(any, "// shadefit emit sg-offset-mean --lang hlsl --name lobe\n");
+  expect_has(any, ", k = 3 to 15 (13 values), in exact");
+  expect_has(any, "float lobe(float c, float k) {\n  return exp((k + 0.775f) * (c - 1.0f));\n}\n");
   const std::string one =
       emitted({"sg-offset", "--lang", "cpp", "--exponent", "16", "--parameters", "x=0.75"});
-  EXPECT_TRUE(holds(one, "// x = 0.75 (given)\n")) << one;
-  EXPECT_TRUE(
-      holds(one, "inline float sg_offset(float c) {\n  return std::exp2(24.165142f * (c - 1.0f));\n}\n"))
-      << one;
+  expect_has(one, "// x = 0.75 (given)\n");
+  expect_has(one, "inline float sg_offset(float c) {\n  return std::exp2(24.165142f * (c - 1.0f));\n}\n");
 }
 
 // A number that was published without its exponents is proven at those of its family: at k = 0 every lobe
 // is 1.
 TEST(Emit, ANumberWithoutExponents) {
   const std::string code = emitted({"phong-blinn-gotanda", "--lang", "glsl"});
-  EXPECT_TRUE(holds(code, ", k = 1 to 2048 (12 values), in exact")) << code;
-  EXPECT_FALSE(holds(code, "at most 0 for")) << code;
+  expect_has(code, ", k = 1 to 2048 (12 values), in exact");
+  expect_lacks(code, "at most 0 for");
 }
 
 TEST(Emit, FittedConstantsSayHow) {
   const std::string code = emitted(
       {"fresnel-quadratic", "--lang", "wgsl", "--norm", "minimax", "--target", "exact", "--ior", "1.5"});
-  EXPECT_TRUE(holds(code, "--target exact --ior 1.5 --norm minimax\n")) << code;
+  expect_has(code, "--target exact --ior 1.5 --norm minimax\n");
 }
 
 // For alpha = 1 the albedo of GGX is 1 - c log(1 + 1/c): at c = 1 it is 1 - log 2.
 TEST(Emit, ATruthWithoutAProofIsSampled) {
   const std::string code = emitted({"--target", "ggx_albedo(c, 1)", "--form", "a", "--over", "c=0:1",
                                     "--parameters", "a=1", "--lang", "glsl"});
-  EXPECT_TRUE(holds(code, "// Sampled: absolute error at most 0.6931 for c in [0, 1], in exact")) << code;
+  expect_has(code, "// Sampled: absolute error at most 0.6931 for c in [0, 1], in exact");
 }
 
 TEST(Emit, ACheckedFileIsUpToDateOrNot) {
@@ -154,14 +146,13 @@ TEST(Emit, BadInput) {
 
 TEST(Emit, TheBetterSetOfAStudy) {
   const std::string code = emitted({"acos-linear", "--better", "--lang", "glsl"});
-  EXPECT_TRUE(holds(code, "// shadefit emit acos-linear --lang glsl --better\n")) << code;
-  EXPECT_TRUE(holds(
-      code, "(fitted: minimax, exact at x = 0, exact at x = 1, form falls; better than Eberly, as cited"))
-      << code;
-  EXPECT_TRUE(holds(code, "// Proven: absolute error at most 0.004262 for x in [0, 1]")) << code;
+  expect_has(code, "// shadefit emit acos-linear --lang glsl --better\n");
+  expect_has(code,
+             "(fitted: minimax, exact at x = 0, exact at x = 1, form falls; better than Eberly, as cited");
+  expect_has(code, "// Proven: absolute error at most 0.004262 for x in [0, 1]");
   const std::string quadratic =
       emitted({"f0-under-coat", "--form", "quadratic", "--better", "--lang", "hlsl"});
-  EXPECT_TRUE(holds(quadratic, "// f (b f + d) + a for ")) << quadratic;
+  expect_has(quadratic, "// f (b f + d) + a for ");
   expect_refusal({"emit", "acos-linear", "--better", "--norm", "minimax", "--lang", "glsl"},
                  "--better does not go with --norm: it names the constants");
   expect_refusal({"emit", "acos-linear", "--better", "--parameters", "a=1,b=2", "--lang", "glsl"},
@@ -176,11 +167,6 @@ TEST(Emit, TheBetterSetOfAStudy) {
 }
 
 TEST(Emit, TakesTheConstraintsOfAFit) {
-  const std::vector<std::string> acos{"acos-linear", "--lang", "glsl"};
-  const auto with = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), acos.begin(), acos.end());
-    return emitted(more);
-  };
   const std::pair<std::vector<std::string>, const char*> cases[]{
       {{"--exact-at", "0"}, "(fitted: minimax, exact at x = 0)"},
       {{"--one-sided", "above"}, "(fitted: minimax, form >= target)"},
@@ -191,13 +177,13 @@ TEST(Emit, TakesTheConstraintsOfAFit) {
       {{"--round", "decimal:4"},
        "a = 1.568, b = -0.1691 (fitted: the smallest largest error of constants in decimal:4)"},
   };
-  for (const auto& [options, words] : cases) EXPECT_TRUE(holds(with(options), words)) << with(options);
+  for (const auto& [options, words] : cases)
+    expect_has(emitted(testing::with({"acos-linear", "--lang", "glsl"}, options)), words);
   // Published constants are not the answer to a question about a fit.
   const std::string pair = emitted({"fresnel-quadratic", "--norm", "minimax", "--lang", "c"});
-  EXPECT_TRUE(holds(pair, "(fitted: minimax)")) << pair;
+  expect_has(pair, "(fitted: minimax)");
   const std::string rounded = emitted({"fresnel-one-term", "--round", "half", "--lang", "c"});
-  EXPECT_TRUE(holds(rounded, "A = 8.24 (fitted: the smallest largest error of constants in half)"))
-      << rounded;
+  expect_has(rounded, "A = 8.24 (fitted: the smallest largest error of constants in half)");
   expect_refusal({"emit", "fresnel-quadratic", "--parameters", "a=1,b=2", "--fix", "a=1", "--lang", "c"},
                  "--fix does not go with --parameters: nothing is fitted");
 }

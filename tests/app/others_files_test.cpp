@@ -47,9 +47,7 @@ TEST(OthersFiles, CodeReplacesCodeAlone) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("pair.glsl", "float mine(float c) { return c; }\n");
   expect_refusal(emit_to(file), foreign_refusal(file));
-  auto forced = emit_to(file);
-  forced.emplace_back("--force");
-  EXPECT_EQ(run_command_line(forced).exit_code, 0);
+  EXPECT_EQ(run_command_line(testing::with(emit_to(file), {"--force"})).exit_code, 0);
   EXPECT_EQ(run_command_line(emit_to(file)).exit_code, 0);
   expect_refusal({"certify", "fresnel-quadratic", "--out", file}, foreign_refusal(file));
   EXPECT_TRUE(read_file(file).starts_with("// Generated "));
@@ -87,23 +85,20 @@ TEST(OthersFiles, WhereNobodyCanBeToldNothingIsWritten) {
   const TemporaryDirectory directory;
   const std::vector<std::string> run{"run",        "--only", "norm-lambert",
                                      "--no-plots", "--out",  directory / "out"};
-  const auto close_output = [] { ::close(STDOUT_FILENO); };
-  const auto fill_output = [] { testing::send_output_to("/dev/full"); };
   const auto break_pipe = [] {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) == 0) ::dup2(ends[1], STDOUT_FILENO);
     for (const int end : ends) ::close(end);
   };
   for (const auto& arguments : {run, emit_to(directory / "pair.glsl")}) {
-    const auto closed = run_process(arguments, close_output);
-    EXPECT_EQ(closed.exit_code, 2);
-    EXPECT_EQ(closed.err, "shadefit: cannot write standard output: Bad file descriptor\n");
-    const auto full = run_process(arguments, fill_output);
-    EXPECT_EQ(full.exit_code, 2);
-    EXPECT_EQ(full.err, "shadefit: cannot write standard output: No space left on device\n");
-    const auto broken = run_process(arguments, break_pipe);
-    EXPECT_EQ(broken.exit_code, 2);
-    EXPECT_EQ(broken.err, "shadefit: cannot write standard output: Broken pipe\n");
+    for (const auto& [prepare, fault] : std::vector<std::pair<std::function<void()>, std::string>>{
+             {[] { ::close(STDOUT_FILENO); }, "Bad file descriptor"},
+             {[] { testing::send_output_to("/dev/full"); }, "No space left on device"},
+             {break_pipe, "Broken pipe"}}) {
+      const auto finished = run_process(arguments, prepare);
+      EXPECT_EQ(finished.exit_code, 2);
+      EXPECT_EQ(finished.err, "shadefit: cannot write standard output: " + fault + "\n");
+    }
     EXPECT_EQ(snapshot(directory.path()).size(), 0U);
   }
   // A filter without files works like other filters.

@@ -17,6 +17,7 @@ using testing::expect_lacks;
 using testing::expect_refusal;
 using testing::fake_gnuplot;
 using testing::TemporaryDirectory;
+using testing::with;
 
 TEST(PlotOption, DrawsTheSameEachTime) {
   if (!find_gnuplot()) return;
@@ -46,12 +47,10 @@ TEST(PlotOption, SaysWhichFileItWroteAndElseTheSame) {
   fake_gnuplot(directory, "echo '</svg>' > \"$picture\"");
   const EnvironmentVariable path("PATH", directory / "bin");
   const std::vector<std::string> call{"fit", "fresnel-one-term"};
-  auto with_plot = call;
-  with_plot.insert(with_plot.end(), {"--plot", directory / "a.svg"});
+  const auto with_plot = with(call, {"--plot", directory / "a.svg"});
   EXPECT_EQ(run_command_line(with_plot).out,
             run_command_line(call).out + "Picture: " + directory / "a.svg" + "\n");
-  with_plot.emplace_back("--json");
-  const Outcome for_program = run_command_line(with_plot);
+  const Outcome for_program = run_command_line(with(with_plot, {"--json"}));
   EXPECT_EQ(for_program.out, run_command_line({"fit", "fresnel-one-term", "--json"}).out);
   EXPECT_EQ(for_program.err, "shadefit: picture: " + directory / "a.svg" + "\n");
 }
@@ -85,19 +84,16 @@ TEST(PlotOption, AForeignPictureStays) {
   EXPECT_EQ(outcome.exit_code, 2);
   expect_has(outcome.err, "was not written by shadefit");
   EXPECT_EQ(read_file(directory / "a.svg"), "mine");
-  auto forced = call;
-  forced.emplace_back("--force");
-  EXPECT_EQ(run_command_line(forced).exit_code, 0);
+  EXPECT_EQ(run_command_line(with(call, {"--force"})).exit_code, 0);
   EXPECT_NE(read_file(directory / "a.svg"), "mine");
 }
 
 /// The script that gnuplot gets for a picture.
-std::string script_of(std::vector<std::string> call) {
+std::string script_of(const std::vector<std::string>& call) {
   const TemporaryDirectory directory;
   fake_gnuplot(directory, "cp \"$script\" '" + directory / "seen" + "'; echo '</svg>' > \"$picture\"");
   const EnvironmentVariable path("PATH", directory / "bin" + ":/usr/bin:/bin");
-  call.insert(call.end(), {"--plot", directory / "a.svg"});
-  const Outcome outcome = run_command_line(call);
+  const Outcome outcome = run_command_line(with(call, {"--plot", directory / "a.svg"}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return read_file(directory / "seen");
 }

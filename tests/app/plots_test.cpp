@@ -7,11 +7,14 @@
 #include "reports/io/gnuplot.hpp"
 #include "reports/io/output.hpp"
 #include "tests/fake_gnuplot.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::EnvironmentVariable;
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::fake_gnuplot;
 using testing::TemporaryDirectory;
 namespace fs = std::filesystem;
@@ -39,14 +42,13 @@ TEST(RunPlots, StandBesideTheReportThatShowsThem) {
   const Outcome outcome = run_fresnel(directory);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("\nPlots: 2 of 2 drawn in " + (directory / "out/plots") + "\n"),
-            std::string::npos);
+  expect_has(outcome.out, "\nPlots: 2 of 2 drawn in " + (directory / "out/plots") + "\n");
   auto expected = data_and_scripts;
   expected.insert({"fresnel.svg", "fresnel-errors.svg"});
   EXPECT_EQ(plots_in(directory), expected) << "and nothing that is half-written";
   const std::string report = read_file(directory / "out/report.md");
-  EXPECT_NE(report.find("](plots/fresnel.svg)"), std::string::npos);
-  EXPECT_NE(report.find("](plots/fresnel-errors.svg)"), std::string::npos);
+  expect_has(report, "](plots/fresnel.svg)");
+  expect_has(report, "](plots/fresnel-errors.svg)");
 }
 
 TEST(RunPlots, WithoutGnuplotAreSkippedAndSaidSo) {
@@ -55,12 +57,10 @@ TEST(RunPlots, WithoutGnuplotAreSkippedAndSaidSo) {
   const Outcome outcome = run_fresnel(directory);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("\nPlots skipped: gnuplot was not found; their data and scripts are in " +
-                             (directory / "out/plots") + "\n"),
-            std::string::npos)
-      << outcome.out;
+  expect_has(outcome.out, "\nPlots skipped: gnuplot was not found; their data and scripts are in " +
+                              (directory / "out/plots") + "\n");
   EXPECT_EQ(plots_in(directory), data_and_scripts);
-  EXPECT_EQ(read_file(directory / "out/report.md").find("plots/"), std::string::npos);
+  expect_lacks(read_file(directory / "out/report.md"), "plots/");
 }
 
 TEST(RunPlots, OneThatFailsIsToldAndNotShown) {
@@ -74,13 +74,13 @@ TEST(RunPlots, OneThatFailsIsToldAndNotShown) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err,
             "shadefit: plot fresnel-errors was not drawn: \"fresnel-errors.gnuplot\" line 3: no\n");
-  EXPECT_NE(outcome.out.find("\nPlots: 1 of 2 drawn in "), std::string::npos);
+  expect_has(outcome.out, "\nPlots: 1 of 2 drawn in ");
   auto expected = data_and_scripts;
   expected.insert("fresnel.svg");
   EXPECT_EQ(plots_in(directory), expected);
   const std::string report = read_file(directory / "out/report.md");
-  EXPECT_NE(report.find("](plots/fresnel.svg)"), std::string::npos);
-  EXPECT_EQ(report.find("](plots/fresnel-errors.svg)"), std::string::npos);
+  expect_has(report, "](plots/fresnel.svg)");
+  expect_lacks(report, "](plots/fresnel-errors.svg)");
 }
 
 TEST(RunPlots, AnOlderPictureDoesNotStandBesideNewData) {
@@ -110,12 +110,10 @@ TEST(RunPlots, WhatIsPrintedOfThemIsPrintable) {
       run_command_line({"run", "--out", directory / "\x1B[31m", "--only", "fresnel-one-term"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ((outcome.out + outcome.err).find('\x1B'), std::string::npos);
-  EXPECT_NE(outcome.err.find("was not drawn: \\x1b[2J000"), std::string::npos) << outcome.err;
+  expect_has(outcome.err, "was not drawn: \\x1b[2J000");
   EXPECT_NE(outcome.err.find("000 .. 000"), std::string::npos) << "and not endless";
-  EXPECT_NE(outcome.out.find("drawn in " + (directory / "\\x1b[31m/plots\n")), std::string::npos)
-      << outcome.out;
-  EXPECT_NE(outcome.out.find("\nReport: " + (directory / "\\x1b[31m/report.md\n")), std::string::npos)
-      << outcome.out;
+  expect_has(outcome.out, "drawn in " + (directory / "\\x1b[31m/plots\n"));
+  expect_has(outcome.out, "\nReport: " + (directory / "\\x1b[31m/report.md\n"));
 }
 
 TEST(RunPlots, NoPlotsMeansNoneOfTheirFiles) {
@@ -124,9 +122,9 @@ TEST(RunPlots, NoPlotsMeansNoneOfTheirFiles) {
   const EnvironmentVariable path("PATH", directory / "bin");
   const Outcome outcome = run_fresnel(directory, {"--no-plots"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out.find("\nPlots"), std::string::npos);
+  expect_lacks(outcome.out, "\nPlots");
   EXPECT_FALSE(fs::exists(directory / "out/plots"));
-  EXPECT_EQ(read_file(directory / "out/report.md").find("plots/"), std::string::npos);
+  expect_lacks(read_file(directory / "out/report.md"), "plots/");
 }
 
 // If gnuplot is installed, as in our CI, it draws every script without a message; else its absence is
@@ -137,7 +135,7 @@ TEST(RunPlots, TheGnuplotOfThisMachineDrawsThemAll) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   const std::string said = find_gnuplot() ? "Plots: 7 of 7 drawn" : "Plots skipped: gnuplot was not found";
-  EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
+  expect_has(outcome.out, said);
   EXPECT_EQ(plots_in(directory).size(), find_gnuplot() ? 21U : 14U);
   if (!find_gnuplot()) return;
   EXPECT_EQ(run_command_line({"run", "--out", directory / "out"}).err, "") << "what was drawn is ours";

@@ -15,24 +15,19 @@ using testing::expect_has;
 using testing::json_of;
 using testing::snapshot;
 using testing::TemporaryDirectory;
+using testing::with;
 
 const std::vector<std::string> metal{"fresnel-rational", "--target", "exact", "--ior", "0.476",
                                      "--extinction",     "1.52"};
 
-Outcome run(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_command_line(arguments);
-}
-
 TEST(Pole, AFitThatEndsAtTheBorderSaysSo) {
-  std::vector<std::string> fit{"fit"};
-  fit.insert(fit.end(), metal.begin(), metal.end());
-  const Outcome text = run(fit, {"--norm", "minimax"});
+  const std::vector<std::string> fit = with(with({"fit"}, metal), {"--norm", "minimax"});
+  const Outcome text = run_command_line(fit);
   EXPECT_EQ(text.exit_code, 1);
   expect_has(
       text.err,
       "the fit of k = 1.52, n = 0.476 is at-border: the way down leads to a pole of the form, at c = 0.92");
-  const Outcome machine = run(fit, {"--norm", "minimax", "--json"});
+  const Outcome machine = run_command_line(with(fit, {"--json"}));
   const nlohmann::json told = nlohmann::json::parse(machine.out);
   EXPECT_EQ(machine.exit_code, 1);
   EXPECT_EQ(told["status"], "at-border");
@@ -67,9 +62,8 @@ TEST(Pole, GivenParametersWithOneHaveNoProof) {
 }
 
 TEST(Pole, NothingIsEmittedOfAFitThatHasNoAnswer) {
-  std::vector<std::string> emit{"emit"};
-  emit.insert(emit.end(), metal.begin(), metal.end());
-  const Outcome outcome = run(emit, {"--norm", "minimax", "--lang", "glsl"});
+  const Outcome outcome =
+      run_command_line(with(with({"emit"}, metal), {"--norm", "minimax", "--lang", "glsl"}));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   expect_has(outcome.err, "is at-border: the way down leads to a pole");

@@ -56,10 +56,6 @@ TEST(Process, StandardOutputThatCannotBeWritten) {
   });
   EXPECT_EQ(to_a_full_disk.exit_code, 2);
   EXPECT_EQ(to_a_full_disk.err, "shadefit: cannot write standard output: File too large\n");
-
-  const auto to_a_full_device = run_process({"list"}, [] { testing::send_output_to("/dev/full"); });
-  EXPECT_EQ(to_a_full_device.exit_code, 2);
-  EXPECT_EQ(to_a_full_device.err, "shadefit: cannot write standard output: No space left on device\n");
 }
 
 TEST(Process, AnInterruptionEndsARunWithNothingWritten) {

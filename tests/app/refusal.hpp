@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/command_line.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit::testing {
 
@@ -28,19 +29,17 @@ inline void expect_refusal(const std::vector<std::string>& arguments, const std:
   EXPECT_EQ(outcome.err, line_of_error(arguments, line));
 }
 
-/// A text has a part, or does not.
-inline void expect_has(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "without '" << part << "':\n" << text;
-}
-inline void expect_lacks(const std::string& text, const std::string& part) {
-  EXPECT_EQ(text.find(part), std::string::npos) << "with '" << part << "':\n" << text;
+/// A call with more words.
+inline std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
-/// What a command prints with --json; the command has to succeed.
-inline nlohmann::json json_of(std::vector<std::string> arguments) {
-  arguments.emplace_back("--json");
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+/// What a command prints with --json; the command has to succeed, in silence.
+inline nlohmann::json json_of(const std::vector<std::string>& arguments) {
+  const Outcome outcome = run_command_line(with(arguments, {"--json"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
   return nlohmann::json::parse(outcome.out);
 }
 

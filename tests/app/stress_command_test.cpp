@@ -1,15 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <stdio.h>
-
-#include <csignal>
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "app/commands/command_line.hpp"
-#include "app/output/interrupt.hpp"
-#include "app/output/progress.hpp"
 #include "app/output/slow_tables.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/findings/baseline.hpp"
@@ -20,43 +13,6 @@ namespace shadefit {
 namespace {
 
 using testing::TemporaryDirectory;
-
-void expect_refusal(const std::vector<std::string>& arguments, const std::string& part) {
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 2) << part;
-  EXPECT_EQ(outcome.out, "") << part;
-  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-}
-
-TEST(StressCommand, RefusesBadUsage) {
-  expect_refusal({"stress", "--out"}, "--out");
-  expect_refusal({"stress", "lobe"}, "unexpected argument 'lobe'");
-  expect_refusal({"stress", "--out", "--quick"}, "--out '--quick' looks like an option");
-  const TemporaryDirectory directory;
-  directory.file("taken", "");
-  expect_refusal({"stress", "--out", (directory.path() / "taken").string()}, "taken");
-}
-
-// If it is interrupted, it writes nothing.
-TEST(StressCommand, StopsAtACheckpointAndWritesNothing) {
-  const TemporaryDirectory directory;
-  int calls = 0;
-  const Checkpoint stop = [&] {
-    if (++calls == 3) throw Interrupted{SIGINT};
-  };
-  const std::string out = (directory.path() / "out").string();
-  EXPECT_EQ(run_command_line({"stress", "--out", out}, stop).exit_code, 128 + SIGINT);
-  EXPECT_FALSE(std::filesystem::exists(out));
-}
-
-TEST(StressCommand, IsSilentWhereStandardErrorIsNoTerminal) {
-  std::FILE* file = std::tmpfile();
-  ASSERT_NE(file, nullptr);
-  terminal_progress(fileno(file))("stress: lobe");
-  EXPECT_EQ(std::fseek(file, 0, SEEK_END), 0);
-  EXPECT_EQ(std::ftell(file), 0);
-  std::fclose(file);
-}
 
 // The committed tables are compared as any other: `check --all` lists what differs.
 TEST(SlowTables, AreComparedCellByCell) {

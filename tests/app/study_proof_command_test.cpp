@@ -16,14 +16,10 @@ using testing::expect_has;
 using testing::expect_refusal;
 using testing::json_of;
 using testing::TemporaryDirectory;
+using testing::with;
 
 const std::vector<std::string> acos_linear{"certify", "--target", "acos(x)", "--form", "sqrt(1-x) (a + b x)",
                                            "--over",  "x=0:1"};
-
-std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 TEST(CertifyStudy, TakesGivenConstants) {
   const auto json = json_of(with(acos_linear, {"--parameters", "b=-0.156583,a=1.5707963"}));
@@ -98,10 +94,6 @@ TEST(CertifyStudy, WritesACertificateThatHolds) {
   EXPECT_EQ(run_command_line(with(acos_linear, {"--out", file})).exit_code, 0);
 
   auto fields = nlohmann::ordered_json::parse(read_file(file));
-  fields["target"] = "acos(x) + 0";
-  const Outcome changed = run_command_line({"verify", directory.file("changed.json", fields.dump(1))});
-  EXPECT_EQ(changed.exit_code, 1);
-  expect_has(changed.err, "is refused: its digest is");
   fields["schema"] = 2;
   const std::string newer = directory.file("newer.json", fields.dump(1));
   expect_refusal({"verify", newer}, "certificate '" + newer + "': version 2: this shadefit reads version 1");
@@ -139,30 +131,19 @@ TEST(CertifyStudy, RefusesBadInput) {
   expect_refusal(
       {"certify"},
       "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
-  expect_refusal({"certify", "--form", "a x", "--over", "x=0:1"},
-                 "--form needs a --target, the formula to approximate, or a --table of measured rows");
   expect_refusal({"certify", "--target", "x", "--form", "a x"},
                  "--form needs --over, a variable and its range: for example --over x=0:1");
   expect_refusal(with(acos_linear, {"--over", "y=0:1", "--over", "z=0:1", "--over", "t=0:1"}),
                  "--over 't': a study has at most three variables");
-  expect_refusal(with(acos_linear, {"--exponent", "5"}),
-                 "--exponent k: no formula of the study has this name");
-  expect_refusal(given({"--norm", "minimax"}), "--norm does not go with --parameters: nothing is fitted");
-  expect_refusal(given({"--start", "a=1"}), "--start does not go with --parameters: nothing is fitted");
-  expect_refusal(given({"--fix", "a=1"}), "--fix does not go with --parameters: nothing is fitted");
+  for (const auto& [option, value] :
+       {std::pair("--norm", "minimax"), {"--start", "a=1"}, {"--fix", "a=1"}, {"--monotone", "falls"}})
+    expect_refusal(given({option, value}),
+                   option + std::string(" does not go with --parameters: nothing is fitted"));
   expect_refusal(
       {"certify", "--target", "x", "--form", "a x", "--over", "x=0:1:angle", "--parameters", "a=1"},
       "--over 'x' with a density does not go with --parameters: nothing is fitted");
-  expect_refusal(with(acos_linear, {"--parameters", "a=1"}), "parameter 'b' of the form is missing");
-  expect_refusal(with(acos_linear, {"--parameters", "a=1,b=2,d=3"}),
-                 "parameter 'd' is unknown: the form has none of that name");
   expect_refusal(with(acos_linear, {"--parameters", "a=1,b=0xg"}),
                  "parameter b '0xg' is not a hexadecimal double as shadefit prints it");
-  expect_refusal(with(acos_linear, {"--parameters", "a=1,b=2", "--monotone", "falls"}),
-                 "--monotone does not go with --parameters: nothing is fitted");
-  expect_refusal({"certify", "--target", "x^k", "--form", "a x", "--over", "x=0:1", "--given", "k=2,3",
-                  "--out", "x.json"},
-                 "--out 'x.json' takes one certificate, not 2: give one value of each --given");
   expect_refusal({"certify", "--target", "abs(x)", "--form", "exp(-4 (x - m)^2)", "--over", "x=-1:1"},
                  "the fit is ambiguous: another curve is as good; give --parameters");
   const TemporaryDirectory directory;
@@ -171,8 +152,6 @@ TEST(CertifyStudy, RefusesBadInput) {
                  "certify proves the error over a range: '" + rows + "' has rows of measured values alone");
   expect_refusal({"certify", "fresnel-quadratic", "--given", "k=1"},
                  "--given 'k': no formula of the study has this name");
-  expect_refusal({"certify", "fresnel-quadratic", "--target", "acos(x)"},
-                 "--target 'acos(x)' is unknown: it must be one of schlick, exact; a formula needs a --form");
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ namespace shadefit {
 namespace {
 
 using testing::expect_has;
+using testing::expect_lacks;
 using testing::TemporaryDirectory;
 
 const std::vector<std::string> commands{"list",  "run",     "fit",  "better", "certify", "verify", "emit",
@@ -96,8 +97,7 @@ TEST(Terminal, TablesAndExplanationsFitTheWidthAndAPipeHasAll) {
 TEST(Terminal, OfAComparisonFormConstantsErrorAndCostStay) {
   const std::string narrow = on_terminal({"better", "fresnel-one-term"}, 80);
   expect_has(narrow, "\nrow  form ");
-  for (const char* shown : {"  constants  ", "max abs error", "instructions\n"})
-    EXPECT_NE(narrow.find(shown), std::string::npos) << shown << "\n" << narrow;
+  for (const char* shown : {"  constants  ", "max abs error", "instructions\n"}) expect_has(narrow, shown);
   expect_has(narrow, "(left out for the width of the terminal: ");
 }
 
@@ -110,7 +110,7 @@ TEST(Terminal, TheBoundsOfAProofStayLongest) {
 TEST(Terminal, VerdictsAreColouredThereAlone) {
   const std::vector<std::string> call{"explain", "sg-offset-mean"};
   expect_has(on_terminal(call, 80), "verdict   \x1b[32mconfirmed\x1b[0m\n");
-  EXPECT_EQ(on_terminal(call, 80, "dumb").find('\x1b'), std::string::npos);
+  expect_lacks(on_terminal(call, 80, "dumb"), "\x1b");
   EXPECT_EQ(on_terminal(call, 80, "xterm", "1").find('\x1b'), std::string::npos) << "NO_COLOR";
   EXPECT_EQ(testing::run_process(call, [] { ::setenv("TERM", "xterm", 1); }).out.find('\x1b'),
             std::string::npos);
@@ -126,14 +126,12 @@ TEST(Terminal, TheConstantsAndTheLargestErrorStay) {
   };
   const std::string fit = table_of({"fit", "agx-septic"});
   EXPECT_LE(widest(fit), 80U);
-  for (const char* shown : {"constants", "a = ", "p = ", "max abs error", "verdict"})
-    EXPECT_NE(fit.find(shown), std::string::npos) << shown << "\n" << fit;
+  for (const char* shown : {"constants", "a = ", "p = ", "max abs error", "verdict"}) expect_has(fit, shown);
   const std::string better = table_of({"better", "pq-patry"});
   EXPECT_LE(widest(better), 80U);
   const std::string titles =
       better.substr(better.find("\nrow ") + 1, better.find("\n  1 ") - better.find("\nrow "));
-  for (const char* shown : {"form", "constants", "max abs error", "instructions"})
-    EXPECT_NE(titles.find(shown), std::string::npos) << shown << "\n" << better;
+  for (const char* shown : {"form", "constants", "max abs error", "instructions"}) expect_has(titles, shown);
 }
 
 TEST(Console, DropsTheConstantsAndTheLargestErrorLast) {
@@ -282,12 +280,12 @@ TEST(Completion, ZshReadsIt) {
 TEST(Completion, TheManualPageHasEveryOption) {
   const std::string page = run_command_line({"--completion", "man"}).out;
   for (const std::string& command : commands) {
-    EXPECT_NE(page.find("\n.SS \\&" + command), std::string::npos) << command;
+    expect_has(page, "\n.SS \\&" + command);
     for (const std::string& line : lines_of(run_command_line({"help", command}).out)) {
       if (!line.starts_with("  --")) continue;
       std::string name = words_of_line(line).front();
       for (std::size_t i = 0; (i = name.find('-', i)) != std::string::npos; i += 2) name.insert(i, 1, '\\');
-      EXPECT_NE(page.find("\\fB\\&" + name), std::string::npos) << name;
+      expect_has(page, "\\fB\\&" + name);
     }
   }
 }

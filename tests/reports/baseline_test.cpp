@@ -11,15 +11,12 @@
 #include "reports/io/csv.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/sections/report.hpp"
-#include "tests/refusal.hpp"
 #include "tests/reports/all_results.hpp"
-#include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::all_results;
-using testing::TemporaryDirectory;
 
 Baseline committed() {
   return read_baseline(SHADEFIT_SOURCE_DIR "/reports/baseline");
@@ -174,24 +171,6 @@ TEST(Baseline, ReflectancesAreNamedByTheirViewAngle) {
   EXPECT_EQ(drifts[0].row, "norm-phong 8 45");
   EXPECT_EQ(drifts[0].column, "reflectance");
   EXPECT_EQ(drifts[0].effect, "relative change 0.01");
-}
-
-std::string refusal_of(const std::string& fits) {
-  const TemporaryDirectory directory;
-  for (const File& table : committed().files) directory.file(table.name, table.content);
-  directory.file("fits.csv", fits);
-  return testing::refusal([&] { compare(read_baseline(directory.path()), all_results()); });
-}
-
-TEST(Baseline, RefusesWhatIsTruncatedOrHasOtherColumns) {
-  const std::string content = committed().files[0].content;
-  EXPECT_EQ(refusal_of(content), "");
-  EXPECT_NE(refusal_of("").find("fits.csv' is empty: a table needs a header line"), std::string::npos);
-  EXPECT_NE(refusal_of(content.substr(0, content.size() / 2)).find("is truncated: it has no end"),
-            std::string::npos);
-  EXPECT_NE(refusal_of("constant,value\nx,1\n")
-                .find("fits.csv' has other columns (constant,value): they must be constant,parameter,"),
-            std::string::npos);
 }
 
 }  // namespace

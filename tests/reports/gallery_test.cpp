@@ -14,9 +14,13 @@
 #include "fit/scalars/half.hpp"
 #include "reports/figures/pictures.hpp"
 #include "reports/studies/html.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
+
+using testing::expect_has;
+using testing::expect_lacks;
 
 TEST(Html, WritesNumbersAndVerdicts) {
   // An index has links, and what looks like one is text.
@@ -27,21 +31,20 @@ TEST(Html, WritesNumbersAndVerdicts) {
   const Table table{{"x", "verdict"},
                     {{Number{0.5, 4}, word("refuted")}, {Number{2, 4}, word("other-objective: minimax")}}};
   const std::string html = html_table(table, true);
-  EXPECT_NE(html.find("<td class=\"number\"><a href=\"0.5.html\">0.5</a></td>"), std::string::npos) << html;
-  EXPECT_NE(html.find("<td class=\"refuted\">refuted</td>"), std::string::npos);
-  EXPECT_NE(html.find("<td class=\"partly\">other-objective: minimax</td>"), std::string::npos);
-  EXPECT_NE(html.find("<button type=\"button\">x</button>"), std::string::npos);
+  expect_has(html, "<td class=\"number\"><a href=\"0.5.html\">0.5</a></td>");
+  expect_has(html, "<td class=\"refuted\">refuted</td>");
+  expect_has(html, "<td class=\"partly\">other-objective: minimax</td>");
+  expect_has(html, "<button type=\"button\">x</button>");
   const std::string plain = html_table(table, false);
-  EXPECT_EQ(plain.find("<button"), std::string::npos);
-  EXPECT_NE(plain.find("<td class=\"number\">0.5</td>"), std::string::npos) << plain;
+  expect_lacks(plain, "<button");
+  expect_has(plain, "<td class=\"number\">0.5</td>");
 }
 
 /// A page has no address outside itself: it works without a network.
 TEST(Html, StandsAlone) {
   const std::string page = html_page(OthersText("a & b"), "<p>text</p>");
-  EXPECT_NE(page.find("<title>a &amp; b</title>"), std::string::npos);
-  for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
-    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  expect_has(page, "<title>a &amp; b</title>");
+  for (const char* outside : {"http:", "https:", "src=", "@import", "url("}) expect_lacks(page, outside);
 }
 
 /// x^2 by a line on [0, 1]: the best is x - 1/8, with error 1/8.
@@ -58,10 +61,14 @@ GalleryEntry parabola() {
   return entry;
 }
 
+GalleryEntry compared(GalleryEntry entry) {
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  return entry;
+}
+
 TEST(Gallery, HasARowForEachPublishedSet) {
-  std::vector<GalleryEntry> entries{parabola()};
-  entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
-  const std::vector<JudgedStudy> studies{judged_study(entries.front())};
+  GalleryEntry entry = compared(parabola());
+  const std::vector<JudgedStudy> studies{judged_study(entry)};
   const Table table = gallery_table(studies);
   ASSERT_EQ(table.rows.size(), 1U);
   const auto cell = [&](const char* column) {
@@ -82,16 +89,16 @@ TEST(Gallery, HasARowForEachPublishedSet) {
   EXPECT_EQ(files.back().name, "parabola.html");
   for (const char* part :
        {"<svg", "polyline class=\"curve-2\"", "float parabola(float x)", "Doe 2020", "refuted"})
-    EXPECT_NE(page.find(part), std::string::npos) << part;
+    expect_has(page, part);
 }
 
 /// x itself is exact at both ends of x^2, as no other line is: the best line has half its error and neither
 /// end.
 TEST(Gallery, ABetterSetKeepsWhatThePublishedOneHas) {
-  std::vector<GalleryEntry> entries{parabola()};
-  entries.front().file.published.front().values = {{"a", "1"}, {"b", "0"}};
-  entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
-  const StudyComparison& comparison = entries.front().comparisons.front();
+  GalleryEntry entry = parabola();
+  entry.file.published.front().values = {{"a", "1"}, {"b", "0"}};
+  entry = compared(entry);
+  const StudyComparison& comparison = entry.comparisons.front();
   const StudyContender& published = comparison.contenders.front();
   EXPECT_EQ(to_text(published.properties), "exact at x = 0, exact at x = 1, rises, not negative, at most 1");
   EXPECT_EQ(better_at_the_same_cost(comparison, published), nullptr);
@@ -110,8 +117,7 @@ TEST(Gallery, ABetterSetKeepsWhatThePublishedOneHas) {
 }
 
 TEST(Gallery, ProvesTheErrorsThatItShows) {
-  GalleryEntry entry = parabola();
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  GalleryEntry entry = compared(parabola());
   StudyComparison& comparison = entry.comparisons.front();
   prove_contenders(comparison);
   const StudyContender* published = first_published(comparison);
@@ -127,7 +133,7 @@ TEST(Gallery, ProvesTheErrorsThatItShows) {
   for (const char* part :
        {"Largest error, proven: 0.2 to 0.2", "that it keeps: rises (proven), at most 1 (proven)<",
         "Its properties: rises (proven), at most 1 (proven)<"})
-    EXPECT_NE(page.find(part), std::string::npos) << part;
+    expect_has(page, part);
   for (const StudyContender& other : comparison.contenders)
     EXPECT_EQ(other.proof.has_value(), &other == published || &other == best) << other.origin.unescaped();
 }
@@ -144,8 +150,7 @@ double parabola_in_half(double a, double b) {
 }
 
 TEST(Gallery, ShowsConstantsInFloatAndHalf) {
-  GalleryEntry entry = parabola();
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  GalleryEntry entry = compared(parabola());
   StudyComparison& comparison = entry.comparisons.front();
   prove_contenders(comparison);
   round_contenders(comparison);
@@ -162,12 +167,12 @@ TEST(Gallery, ShowsConstantsInFloatAndHalf) {
   }
   EXPECT_EQ(published->formats[0].constants, (Constants{{"a", "1"}, {"b", "-0.05"}}));
   const std::string page = judged_study(entry).page;
-  EXPECT_NE(page.find("<h2>In float and half</h2>"), std::string::npos);
-  EXPECT_NE(page.find("<td>every half of the range</td>"), std::string::npos);
+  expect_has(page, "<h2>In float and half</h2>");
+  expect_has(page, "<td>every half of the range</td>");
 
   // 7e4 is beyond half.
   entry.file.published.front().values = {{"a", "1.00"}, {"b", "-70000"}};
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  entry = compared(entry);
   round_contenders(entry.comparisons.front());
   const auto& formats = first_published(entry.comparisons.front())->formats;
   ASSERT_EQ(formats.size(), 2U);
@@ -178,37 +183,36 @@ TEST(Gallery, ShowsConstantsInFloatAndHalf) {
 TEST(Gallery, SaysWhyConstantsAreNotRounded) {
   GalleryEntry entry = parabola();
   const auto page = [&entry](const char* target) {
-    entry.comparisons = {compare_study(entry.file, entry.file.study)};
+    entry = compared(entry);
     entry.comparisons.front().study.target = target;  // now, because fits to a nested integral take long
     round_contenders(entry.comparisons.front());
     return judged_study(entry).page;
   };
   constexpr const char* lead = "The constants are not rounded to float and half: ";
-  EXPECT_EQ(page("x^2").find(lead), std::string::npos);
+  expect_lacks(page("x^2"), lead);
   EXPECT_NE(page("2 integral(integral(1, t, 0, s), s, 0, x)")
                 .find(std::string(lead) + "an 'integral' inside another one has no proof"),
             std::string::npos);
   entry.file.published.clear();
-  EXPECT_NE(page("x^2").find(std::string(lead) + "the study has no published set."), std::string::npos);
+  expect_has(page("x^2"), std::string(lead) + "the study has no published set.");
 }
 
 /// Of x^2 shown as greys, a line is off by many codes; of x^2 + 3 nothing is shown.
 TEST(Gallery, ShowsGreysWhereTheyAreSeen) {
-  GalleryEntry entry = parabola();
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  GalleryEntry entry = compared(parabola());
   const std::string page = judged_study(entry).page;
-  EXPECT_NE(page.find("As greys"), std::string::npos);
+  expect_has(page, "As greys");
   EXPECT_NE(page.find("fill=\"rgb(255,255,255)\""), std::string::npos) << "the target at 1";
   // The largest change is 0.2, at 1/2: the sRGB code of 0.45 is 178.7, that of 0.25 is 136.96.
-  EXPECT_NE(page.find("from the target: 0.2 (as a linear grey "), std::string::npos);
+  expect_has(page, "from the target: 0.2 (as a linear grey ");
   entry.file.is_encoded = true;
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  entry = compared(entry);
   const std::string encoded = judged_study(entry).page;
   EXPECT_NE(encoded.find("from the target: 0.2 (51 codes of 8 bits, "), std::string::npos) << "0.2 of 255";
-  EXPECT_NE(encoded.find("255 times a value is its code"), std::string::npos);
+  expect_has(encoded, "255 times a value is its code");
   entry.file.study.target = "x^2 + 3";
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
-  EXPECT_EQ(judged_study(entry).page.find("As greys"), std::string::npos);
+  entry = compared(entry);
+  expect_lacks(judged_study(entry).page, "As greys");
 }
 
 /// The target peaks at x = 1/1000, between the first two places of the picture, which are 1/240 apart.
@@ -217,7 +221,7 @@ TEST(Gallery, ACurveGoesThroughAPeakBetweenItsPlaces) {
   entry.file.study.target = "1/(1 + 1000000 (x - 1/1000)^2)";
   entry.file.forms = {{"constant", "a"}};
   entry.file.published = {{.form = "constant", .values = {{"a", "0"}}, .source = OthersText("Doe 2020")}};
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  entry = compared(entry);
   const StudyComparison& comparison = entry.comparisons.front();
   const StudyContender* published = first_published(comparison);
   ASSERT_NEAR(published->max_error.magnitude, 1, 1e-6);
@@ -234,7 +238,7 @@ TEST(Gallery, HasAMapOfTwoVariables) {
   entry.file.study.over = {{"x", "0", "1"}, {"y", "0", "1"}};
   entry.file.forms = {{"constant", "a"}};
   entry.file.published = {{.form = "constant", .values = {{"a", "0.25"}}, .source = OthersText("Doe 2020")}};
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  entry = compared(entry);
   const std::string svg =
       heat_map_svg(entry.comparisons.front(), {first_published(entry.comparisons.front())});
   EXPECT_NE(svg.find("at most 0.75"), std::string::npos) << svg.substr(0, 400);
@@ -247,8 +251,7 @@ TEST(Gallery, HasAMapOfTwoVariables) {
       std::string::npos)
       << "the lower left cell";
   // 0.25 is code 137: 137 from the target at the origin, 118 from it at (1, 1).
-  EXPECT_NE(judged_study(entry).page.find("Left to right over x, at y = 0, where the published values"),
-            std::string::npos);
+  expect_has(judged_study(entry).page, "Left to right over x, at y = 0, where the published values");
 }
 
 /// x + y - a x y is x + y where x or y is 0, and at no other edge of the square.
@@ -258,7 +261,7 @@ TEST(Gallery, ExactEdgesAreKept) {
   entry.file.study.over = {{"x", "0", "1"}, {"y", "0", "1"}};
   entry.file.forms = {{"bilinear", "x + y - a x y"}, {"moved", "x + y - a"}};
   entry.file.published = {{.form = "bilinear", .values = {{"a", "0.3"}}, .source = OthersText("Doe 2020")}};
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  entry = compared(entry);
   const StudyComparison& comparison = entry.comparisons.front();
   const StudyContender& published = *first_published(comparison);
   EXPECT_EQ(to_text(published.properties), "exact at x = 0, exact at y = 0, not negative");
@@ -278,19 +281,18 @@ TEST(Gallery, SaysWhyALargestErrorIsNotProven) {
   entry.file.study.over = {{"x", "", ""}};
   entry.file.study.rows = std::make_shared<const MeasuredRows>(MeasuredRows{
       .file = OthersText("rows.csv"), .places = {{0, 0.5, 1}}, .value = {0, 0.25, 1}, .sigma = {}});
-  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  entry = compared(entry);
   prove_contenders(entry.comparisons.front());
-  EXPECT_NE(judged_study(entry).page.find("Largest error, sampled: the error is known at the rows alone"),
-            std::string::npos);
+  expect_has(judged_study(entry).page, "Largest error, sampled: the error is known at the rows alone");
 }
 
 /// A gain of less than 1 % is not called better.
 TEST(Gallery, LeavesRoundedConstantsAlone) {
-  std::vector<GalleryEntry> entries{parabola()};
-  entries.front().file.published.front().values = {{"a", "1.000"}, {"b", "-0.125"}};
-  entries.front().file.norm = Norm::minimax;
-  entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
-  const StudyComparison& comparison = entries.front().comparisons.front();
+  GalleryEntry entry = parabola();
+  entry.file.published.front().values = {{"a", "1.000"}, {"b", "-0.125"}};
+  entry.file.norm = Norm::minimax;
+  entry = compared(entry);
+  const StudyComparison& comparison = entry.comparisons.front();
   ASSERT_NE(comparison.contenders.front().published, nullptr);
   EXPECT_EQ(better_at_the_same_cost(comparison, comparison.contenders.front()), nullptr);
 }

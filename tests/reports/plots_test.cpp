@@ -14,6 +14,7 @@
 #include "reports/io/gnuplot.hpp"
 #include "reports/sections/report.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/refusal.hpp"
 #include "tests/reports/all_results.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
@@ -22,6 +23,8 @@ namespace shadefit {
 namespace {
 
 using testing::all_results;
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::is_close;
 
 /// Half a unit of the sixth digit, where the first one is a 1.
@@ -68,8 +71,8 @@ TEST(Plots, EveryFigureHasDataAndAScriptThatReadsIt) {
          ++match)
       read.insert((*match)[1]);
     EXPECT_EQ(read, std::set<std::string>(f.data.columns.begin(), f.data.columns.end())) << f.name;
-    EXPECT_NE(f.script.find("'" + f.name + ".csv'"), std::string::npos);
-    EXPECT_NE(f.script.find("set output '" + f.name + ".svg'"), std::string::npos);
+    expect_has(f.script, "'" + f.name + ".csv'");
+    expect_has(f.script, "set output '" + f.name + ".svg'");
     EXPECT_TRUE(f.caption.ends_with(".")) << f.name;
   }
   const auto files = plot_files(figures);
@@ -113,7 +116,7 @@ TEST(Plots, ATextIsDrawnAsItIs) {
                                   gnuplot_quoted(for_gnuplot(OthersText(R"('x\y' @ a^b_c {d} ~e)"))) +
                                   "\nplot [0:1][0:1] 2 notitle\n");
   draw("b.gnuplot", directory);
-  EXPECT_NE(read_file(directory / "b.svg").find(R"('x\y' @ a^b_c {d} ~e)"), std::string::npos);
+  expect_has(read_file(directory / "b.svg"), R"('x\y' @ a^b_c {d} ~e)");
 }
 
 TEST(Plots, ValuesAreFiniteAndOnlyRelativeErrorsMayBeMissing) {
@@ -237,15 +240,15 @@ TEST(Plots, TheReportShowsThemInTheirSections) {
   const auto figures = make_figures(results);
   const std::string report = write_report(results, figures);
   const auto at = [&](const std::string& part) {
-    EXPECT_NE(report.find(part), std::string::npos) << part;
+    expect_has(report, part);
     return report.find(part);
   };
   EXPECT_LT(at("(`sg-offset`)\n"), at("](plots/lobe.svg)"));
   EXPECT_LT(at("](plots/offset.svg)"), at("(`fresnel-one-term`)\n"));
   EXPECT_LT(at("(`fresnel-quadratic`)\n"), at("](plots/fresnel-errors.svg)"));
   EXPECT_LT(at("(`phong-blinn`)\n"), at("](plots/phong-blinn-errors.svg)"));
-  for (const Figure& f : figures) EXPECT_NE(report.find(f.caption), std::string::npos) << f.name;
-  EXPECT_EQ(write_report(results).find("plots/"), std::string::npos);
+  for (const Figure& f : figures) expect_has(report, f.caption);
+  expect_lacks(write_report(results), "plots/");
 }
 
 TEST(PlotData, AnglesKeepTheirEnds) {

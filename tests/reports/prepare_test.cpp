@@ -6,11 +6,13 @@
 #include "fit/support/user_error.hpp"
 #include "reports/studies/prepare.hpp"
 #include "reports/studies/study_certificate_json.hpp"
+#include "tests/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
 using testing::TemporaryDirectory;
 
 const std::string pair_text = R"toml(schema = 1
@@ -38,12 +40,7 @@ formula = "exp((k + x) (c - 1))"
 )toml";
 
 std::string refusal_of(const std::string& text) {
-  try {
-    prepare(text);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "";
+  return testing::refusal([&] { prepare(text); });
 }
 
 /// What the command prints for a study in a file.
@@ -109,7 +106,7 @@ TEST(Prepare, StartsLeadDownTheirBasins) {
 TEST(Prepare, AGivenConstantHasOneValue) {
   Prepared lobe = prepare(with_part(lobe_text, "3,7", "7"));
   EXPECT_EQ(lobe.fit().status, Status::converged);
-  EXPECT_NE(lobe.emit(Language::c).find("static inline float lobe(float c)"), std::string::npos);
+  expect_has(lobe.emit(Language::c), "static inline float lobe(float c)");
   EXPECT_EQ(refusal_of(lobe_text), "study 'lobe': its given constants have 2 values: leave one of each");
 }
 

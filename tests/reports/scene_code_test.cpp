@@ -16,6 +16,7 @@
 #include "reports/io/files.hpp"
 #include "scene/materials/powers.hpp"
 #include "scene/plan/lobes.hpp"
+#include "tests/refusal.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -29,6 +30,8 @@ using scene::Plan;
 using scene::PowerTexture;
 using scene::Scene;
 using scene::Wanted;
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::TemporaryDirectory;
 
 Material shiny(const std::string& name, double reflectance, const scene::Range& power,
@@ -112,7 +115,7 @@ TEST(SceneCode, OfASceneWithoutLobesIsAComment) {
   EXPECT_TRUE(scene_functions(black, plan).empty());
   const std::string code = scene_code(black, plan, Language::glsl, "shadefit scene a.mtl --lang glsl");
   EXPECT_TRUE(code.ends_with("\n// No material of this scene needs a specular term.\n")) << code;
-  EXPECT_NE(code.find("\n// shadefit scene a.mtl --lang glsl\n"), std::string::npos) << code;
+  expect_has(code, "\n// shadefit scene a.mtl --lang glsl\n");
 }
 
 /// A call of each function, with numbers that are not constants.
@@ -362,8 +365,8 @@ TEST(SceneCode, OfAPowerThatNoHalfIs) {
   const Plan plan = make_plan(mirror, {.precision = scene::PixelPrecision::float16});
   EXPECT_FALSE(plan.is_within());
   const std::string code = scene_code(mirror, plan, Language::hlsl, "");
-  EXPECT_EQ(code.find("inf"), std::string::npos) << code;
-  EXPECT_NE(code.find("NOT within the tolerance"), std::string::npos) << code;
+  expect_lacks(code, "inf");
+  expect_has(code, "NOT within the tolerance");
 }
 
 TEST(SceneCode, HalfIsNotForC) {
@@ -372,7 +375,7 @@ TEST(SceneCode, HalfIsNotForC) {
   wanted.precision = scene::PixelPrecision::float16;
   const Plan plan = make_plan(c.scene, wanted);
   EXPECT_THROW(scene_code(c.scene, plan, Language::cpp, ""), UserError);
-  EXPECT_NE(scene_code(c.scene, plan, Language::wgsl, "").find("enable f16;"), std::string::npos);
+  expect_has(scene_code(c.scene, plan, Language::wgsl, ""), "enable f16;");
 }
 
 }  // namespace

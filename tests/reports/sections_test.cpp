@@ -6,9 +6,13 @@
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/sections/sections.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
+
+using testing::expect_has;
+using testing::expect_lacks;
 
 const Claim claim{.id = "x-claim",
                   .statement = "a is b",
@@ -41,12 +45,10 @@ TEST(ClaimsTable, WeakEvidenceIsNoVerdictAndFailsTheRun) {
 
 TEST(LedgerSection, HasASectionForEachTopic) {
   const std::string section = ledger_section({judged}, {});
-  EXPECT_NE(section.find("### Topic\n\n| claim "), std::string::npos) << section;
-  EXPECT_NE(
-      section.find(
-          "- **`x-claim`** (Author 2012): a is b.\n  - **rounding**: it is 1.6.\n  - Effect: 0.1 codes.\n"),
-      std::string::npos)
-      << section;
+  expect_has(section, "### Topic\n\n| claim ");
+  expect_has(
+      section,
+      "- **`x-claim`** (Author 2012): a is b.\n  - **rounding**: it is 1.6.\n  - Effect: 0.1 codes.\n");
 }
 
 TEST(LedgerSection, LinksAFigureThatIsDrawn) {
@@ -55,8 +57,8 @@ TEST(LedgerSection, LinksAFigureThatIsDrawn) {
     figure.name = name;
     return ledger_section({judged}, {figure});
   };
-  EXPECT_NE(with("offset").find("Plot: [offset](plots/offset.svg).\n"), std::string::npos);
-  EXPECT_EQ(with("lobe").find("plots/"), std::string::npos);
+  expect_has(with("offset"), "Plot: [offset](plots/offset.svg).\n");
+  expect_lacks(with("lobe"), "plots/");
 }
 
 TEST(Explanation, HasEveryPartOnceAndWrapsLongLines) {
@@ -81,15 +83,13 @@ TEST(Explanation, HasEveryPartOnceAndWrapsLongLines) {
   for (std::size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1)
     longest = std::max(longest, end - start);
   EXPECT_LE(longest, 106U);
-  EXPECT_NE(text.find("\n          word word"), std::string::npos);
+  expect_has(text, "\n          word word");
 }
 
 TEST(Explanation, StartsALineWithEachSentence) {
   JudgedClaim two = judged;
   two.finding.evidence = "over c = 0 .. 1 it is 1.6. The rest is 2";
-  EXPECT_NE(explanation(two).find("evidence  over c = 0 .. 1 it is 1.6.\n          The rest is 2\n"),
-            std::string::npos)
-      << explanation(two);
+  expect_has(explanation(two), "evidence  over c = 0 .. 1 it is 1.6.\n          The rest is 2\n");
 }
 
 JudgedClaim news_with(Verdict verdict) {
@@ -179,11 +179,10 @@ TEST(ReflectanceTable, ShowsAnErrorThatBreaksThePromise) {
 
 TEST(ReflectanceSection, SaysWhoCreatesEnergyAndWhere) {
   const auto cheap = reflectance_section(curves_of("norm-blinn-phong-cheap"));
-  EXPECT_NE(cheap.find("- `norm-blinn-phong-cheap` creates energy: below 21.71 degrees for a = 1, below 18.1 "
-                       "degrees for a = 8, below 9.437 degrees for a = 64, below 1.786 degrees for a = 2048. "
-                       "Its reflectance is largest, 1.075 at 0 degrees for a = 8.\n"),
-            std::string::npos)
-      << cheap;
+  expect_has(cheap,
+             "- `norm-blinn-phong-cheap` creates energy: below 21.71 degrees for a = 1, below 18.1 "
+             "degrees for a = 8, below 9.437 degrees for a = 64, below 1.786 degrees for a = 2048. "
+             "Its reflectance is largest, 1.075 at 0 degrees for a = 8.\n");
   const auto exact = reflectance_section(curves_of("norm-blinn-phong-brdf"));
   EXPECT_NE(
       exact.find(
@@ -193,7 +192,7 @@ TEST(ReflectanceSection, SaysWhoCreatesEnergyAndWhere) {
       << "equal peaks are named together, not picked by rounding\n"
       << exact;
   EXPECT_EQ(exact.find("times n.l, `"), std::string::npos) << "its lobe has n.l already";
-  EXPECT_NE(reflectance_section(curves_of("norm-phong")).find("times n.l, `"), std::string::npos);
+  expect_has(reflectance_section(curves_of("norm-phong")), "times n.l, `");
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::expect_refusal;
 using testing::json_of;
 
@@ -18,10 +20,6 @@ std::string explained(const std::string& id) {
   const Outcome outcome = run_command_line({"explain", id});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return outcome.out;
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 // Every id that lint prints is one that the other commands know.
@@ -37,11 +35,11 @@ TEST(Explain, ListKnowsEachIdOfLint) {
 
 TEST(Explain, ExactConstantsAndFamilies) {
   EXPECT_TRUE(explained("luma-709").starts_with("luma-709: luminance of linear Rec. 709 and sRGB\n"));
-  EXPECT_TRUE(has(explained("luma-709"), "ITU-R BT.709-6, 2015"));
+  expect_has(explained("luma-709"), "ITU-R BT.709-6, 2015");
   const std::string family = explained("sg-offset");
   EXPECT_TRUE(family.starts_with("sg-offset: ")) << family;
-  EXPECT_TRUE(has(family, "\nForm: exp((k + x) (c - 1)); ")) << family;
-  EXPECT_TRUE(has(family, "\nsg-offset-mean\n") && has(family, "\nsg-offset-k5\n")) << family;
+  for (const char* part : {"\nForm: exp((k + x) (c - 1)); ", "\nsg-offset-mean\n", "\nsg-offset-k5\n"})
+    expect_has(family, part);
   EXPECT_GE(json_of({"explain", "sg-offset"})["claims"].size(), 3U);
   expect_refusal({"explain", "luma-708"},
                  "unknown claim, family or study 'luma-708': did you mean 'luma-709'?");
@@ -49,13 +47,14 @@ TEST(Explain, ExactConstantsAndFamilies) {
 
 TEST(Explain, ANumberNamesTheConstantsThatHaveIt) {
   const std::string pair = explained("5.55473");
-  EXPECT_TRUE(has(pair, "fresnel-quadratic ") && has(pair, "the same digits")) << pair;
-  EXPECT_TRUE(has(pair, "\nNext: shadefit explain fresnel-quadratic\n")) << pair;
-  EXPECT_TRUE(has(explained("0.7152"), "luma-709")) << explained("0.7152");
-  EXPECT_FALSE(has(pair, "one digit differs")) << "another constant has all digits";
-  const std::string slip = explained("5.55437");
-  EXPECT_TRUE(has(slip, "fresnel-quadratic") && has(slip, "one digit differs")) << slip;
-  EXPECT_TRUE(has(explained("2.2"), "srgb-decode-cubic") && has(explained("srgb-encode-standard"), "12.92"));
+  for (const char* part :
+       {"fresnel-quadratic ", "the same digits", "\nNext: shadefit explain fresnel-quadratic\n"})
+    expect_has(pair, part);
+  expect_lacks(pair, "one digit differs");  // another constant has all digits
+  expect_has(explained("0.7152"), "luma-709");
+  for (const char* part : {"fresnel-quadratic", "one digit differs"}) expect_has(explained("5.55437"), part);
+  expect_has(explained("2.2"), "srgb-decode-cubic");
+  expect_has(explained("srgb-encode-standard"), "12.92");
   const auto json = json_of({"explain", "5.55473"});
   EXPECT_EQ(json["number"], "5.55473");
   EXPECT_EQ(json["constants"][0]["id"], "fresnel-quadratic");

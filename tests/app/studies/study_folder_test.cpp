@@ -273,10 +273,6 @@ TEST_F(StudyFolder, ABadStudyIsALine) {
 }
 
 TEST_F(StudyFolder, RefusesBadInput) {
-  expect_refusal({"fit", "acos-linaer"},
-                 "unknown form, constant or study 'acos-linaer': did you mean 'acos-linear'?");
-  expect_refusal({"better", path("line.toml"), "--exponent", "5"},
-                 "--exponent k: no formula of the study has this name");
   expect_refusal(
       {"emit", "hg-schlick", "--lang", "glsl"},
       "'hg-schlick' has 3 values of its given constants, and these constants are for one: name it by "

@@ -7,11 +7,14 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "tests/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit::findings {
 namespace {
 
+using testing::expect_has;
+using testing::expect_lacks;
 using testing::TemporaryDirectory;
 using Json = nlohmann::json;
 
@@ -104,7 +107,7 @@ TEST(Findings, AsText) {
   EXPECT_EQ(write_findings(report, FindingFormat::text), "lint passed: nothing found in 1 file\n");
   const std::string text = write_findings(odd(), FindingFormat::text);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
-  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  expect_lacks(text, "\x1b");
 }
 
 TEST(Findings, AsJson) {
@@ -231,8 +234,7 @@ TEST(Findings, AThousandAreWhatGitHubTakes) {
   const std::string commands = write_findings(thousand, FindingFormat::github);
   EXPECT_TRUE(commands.starts_with("::error ")) << "the most severe first";
   EXPECT_EQ(std::ranges::count(commands, '\n'), 12);
-  EXPECT_NE(commands.find("\n990 more have no annotation\nlint failed: 1 error, 999 warnings in 812 files"),
-            std::string::npos);
+  expect_has(commands, "\n990 more have no annotation\nlint failed: 1 error, 999 warnings in 812 files");
   const std::string summary = write_findings(thousand, FindingFormat::markdown);
   EXPECT_EQ(std::ranges::count(summary, '\n'), 1004) << "all, below three lines and two of the table's head";
   EXPECT_LT(summary.size(), 1u << 20);
@@ -241,9 +243,7 @@ TEST(Findings, AThousandAreWhatGitHubTakes) {
 
 TEST(Findings, MarkdownShowsOddTextsAndLeavesRowsOut) {
   const std::string text = write_findings(odd(), FindingFormat::markdown);
-  EXPECT_NE(text.find("&lt;d&gt; &amp; \\]\\]&gt; {e} &#124; \\`f\\` \\*g\\* %h, i: j\\\\x0a::error::"),
-            std::string::npos)
-      << text;
+  expect_has(text, "&lt;d&gt; &amp; \\]\\]&gt; {e} &#124; \\`f\\` \\*g\\* %h, i: j\\\\x0a::error::");
   FindingReport many = usual();
   many.findings.assign(20'000, many.findings[0]);
   const std::string cut = write_findings(many, FindingFormat::markdown);

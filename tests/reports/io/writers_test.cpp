@@ -17,6 +17,9 @@
 namespace shadefit {
 namespace {
 
+using testing::expect_has;
+using testing::expect_lacks;
+
 const Table sample{{"id", "value", "note"},
                    {{std::string("a"), Number{0.125, 10}, std::string("plain")},
                     {std::string("b|c"), Number{12, 10}, std::string("a \"quoted\", text")},
@@ -27,9 +30,7 @@ TEST(Writers, ACellCannotForgeALineOnATerminal) {
   const Table table{{"a"}, {{std::string("x\ncheck passed\x1B[2J\xC2\x9B\xE2\x80\xAE\xE2\x80\xA8")}}};
   const std::string shown = write_console(table, Precision::report);
   EXPECT_EQ(std::count(shown.begin(), shown.end(), '\n'), 2) << shown;
-  EXPECT_NE(shown.find("x\\x0acheck passed\\x1b[2J\\xc2\\x9b\\xe2\\x80\\xae\\xe2\\x80\\xa8\n"),
-            std::string::npos)
-      << shown;
+  expect_has(shown, "x\\x0acheck passed\\x1b[2J\\xc2\\x9b\\xe2\\x80\\xae\\xe2\\x80\\xa8\n");
 }
 
 TEST(Writers, Csv) {
@@ -105,16 +106,16 @@ TEST(Writers, LatexMathematics) {
       {all_of(std::numeric_limits<double>::infinity()), "inf"}};
   for (const auto& [cell, latex] : cases) {
     const std::string out = write_latex({{"v"}, {{cell}}}, Precision::report);
-    EXPECT_NE(out.find("\\midrule\n" + latex + " \\\\\n"), std::string::npos) << out;
+    expect_has(out, "\\midrule\n" + latex + " \\\\\n");
   }
 }
 
 TEST(Writers, LatexNamesOfAStudy) {
   const Table table{{"k0", "note"}, {{1L, std::string("k0 r^2")}}};
   const std::vector<std::string> names{"k0", "r"};
-  EXPECT_NE(write_latex(table, Precision::report, names).find("$k_{0}$ & note"), std::string::npos);
-  EXPECT_NE(write_latex(table, Precision::report, names).find("$k_{0} r^{2}$"), std::string::npos);
-  EXPECT_NE(write_latex(table, Precision::report).find("k0 r\\textasciicircum{}2"), std::string::npos);
+  expect_has(write_latex(table, Precision::report, names), "$k_{0}$ & note");
+  expect_has(write_latex(table, Precision::report, names), "$k_{0} r^{2}$");
+  expect_has(write_latex(table, Precision::report), "k0 r\\textasciicircum{}2");
 }
 
 /// The characters of LaTeX's own that are left once escaped ones are taken away.
@@ -189,6 +190,8 @@ TEST(Csv, RefusesWhatIsCutOffOrMalformed) {
            {"\xEF\xBB\xBF,b\n", "line 1 begins with a byte order mark: a table is plain UTF-8"},
            {std::string("a,b\n1,\0\n", 8), "line 2 holds the byte 0x00: a table is plain text"},
            {"a,b\n1,2\n\"3", "line 3 is truncated: it has no end"},
+           {"a,b\n1,\x1B[2J\n", "line 2 holds the byte 0x1b: a table is plain text"},
+           {"a,b\n1,\xED\xA0\x80\n", "line 2 holds the byte 0xed out of place: a table is UTF-8"},
            {"a,b\n1,\xE9t\xE9\n", "line 2 holds the byte 0xe9 out of place: a table is UTF-8"}})
     EXPECT_EQ(testing::refusal([&, text = content] { parse_csv(text, "t.csv"); }), "'t.csv' " + fault);
 }
@@ -250,7 +253,7 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
        "Under the angle measure the best value is the printed one at k = 6.6",
        // one id, one verdict: the ledger's, which includes the integrals
        "| norm-blinn-phong-cheap | (a+8)/(8 pi)                     | 8 of 8 within 0.1      | conditional "}) {
-    EXPECT_NE(report.find(part), std::string::npos) << part;
+    expect_has(report, part);
   }
   // Nor does a row of its integrals confirm it.
   std::istringstream lines(report);
@@ -258,7 +261,7 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
     EXPECT_FALSE(line.starts_with("| norm-blinn-phong-cheap") && line.ends_with("| confirmed |")) << line;
   EXPECT_TRUE(report.ends_with("Journal of Computer Graphics Techniques 3(2), pp. 48-107\n"));
   EXPECT_FALSE(report.ends_with("\n\n"));
-  EXPECT_EQ(report.find('\r'), std::string::npos);
+  expect_lacks(report, "\r");
 }
 
 TEST(Report, DoesNotDependOnTheLocale) {
@@ -287,11 +290,10 @@ TEST(Results, AFailedCheckIsSeen) {
   results.normalisations[0].verdict = Verdict::confirmed;
   results.refits[0].fits[0].fit.status = Status::ambiguous;
   EXPECT_FALSE(all_checks_passed(results));
-  EXPECT_NE(write_report(results).find("Not every fit converged"), std::string::npos);
+  expect_has(write_report(results), "Not every fit converged");
   results.normalisations[0].verdict = std::nullopt;
   EXPECT_FALSE(all_checks_passed(results));
-  EXPECT_NE(write_csv(normalisation_table(results.normalisations), Precision::report).find("not-converged"),
-            std::string::npos);
+  expect_has(write_csv(normalisation_table(results.normalisations), Precision::report), "not-converged");
 }
 
 }  // namespace
