@@ -20,6 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of a family, before families were proven as studies.
+constexpr const char* former_kind = "shadefit certificate";
+
 /// Doubles that are written as `hex_text` writes them.
 std::vector<double> numbers_of(const Json& list) {
   std::vector<double> values;
@@ -115,6 +118,10 @@ ReadCertificate study_certificate_of(const Json& json) {
 ReadCertificate read_study_certificate(const std::string& text, const std::string& name) {
   const std::string file = "certificate '" + name + "'";
   const Json json = parse_own_json(text, file);
+  if (json.is_object() && json.contains("file") && json.at("file") == former_kind)
+    throw UserError(file +
+                    " is of a family, by an earlier build: families are proven as studies now; make it "
+                    "again with 'shadefit certify'");
   try {
     return study_certificate_of(json);
   } catch (const Json::exception& error) {

@@ -107,6 +107,12 @@ TEST(Verify, RefusesWithTheReason) {
       run_command_line({"verify", directory.file("false.json", certificate_text(certificate))});
   EXPECT_EQ(wrong.exit_code, 1);
   expect_has(wrong.err, "is refused: the error may exceed");
+  const std::string former =
+      directory.file("former.json", R"({"file": "shadefit certificate", "schema": 1})");
+  expect_refusal({"verify", former},
+                 "certificate '" + former +
+                     "' is of a family, by an earlier build: families are proven as studies "
+                     "now; make it again with 'shadefit certify'");
   const std::string half = text.substr(0, text.size() / 2);
   const std::string cut = directory.file("cut.json", half);
   const std::string cut_line = fmt::format("{}, column {}", std::count(half.begin(), half.end(), '\n') + 1,
