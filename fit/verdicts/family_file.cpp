@@ -101,9 +101,14 @@ void take_rivals(StudyFile& file, const Family& family, const Published* publish
   file.study.parameters.clear();
   file.forms.clear();
   file.published.clear();
+  // A curve of several numbers has the ids of all.
+  const auto is_another = [&](const Published& number) {
+    return published == nullptr || number.family != published->family ||
+           printed_parameters(family, number) != printed_parameters(family, *published);
+  };
   const auto add = [&](const Family& rival) {
     file.forms.push_back(form_of(rival, surface));
-    add_sets(file, rival, [&](const Published& number) { return &number != published; });
+    add_sets(file, rival, is_another);
   };
   if (published != nullptr) file.published.push_back(set_of(family, *published));
   add(family);

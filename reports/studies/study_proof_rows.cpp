@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
-
 #include "fit/support/hex_float.hpp"
 #include "reports/code/study_code.hpp"
 #include "reports/io/joined.hpp"
@@ -116,7 +114,8 @@ std::string statement_of(const StudyCertificate& certificate) {
     line("range", fmt::format("{} from {} to {}", study.over[i].variable, range.lower, range.upper));
   }
   line("largest", fmt::format("at least {}, at most {}", certificate.lower, certificate.upper));
-  const auto variables = std::views::transform(study.over, &StudyRange::variable);
+  std::vector<std::string> variables;
+  for (const StudyRange& range : study.over) variables.push_back(range.variable);
   line("at", equations(variables, certificate.attained));
   return text;
 }

@@ -38,6 +38,7 @@ TEST(BetterCommand, AFamilyIsComparedWithAllFormsOfItsTarget) {
   EXPECT_EQ(first["instructions"], 3);
   EXPECT_EQ(schlick["contenders"][static_cast<std::size_t>(first["best"])]["form"], "fresnel-quadratic");
   EXPECT_EQ(json_of({"better", "fresnel-quadratic", "--target", "exact", "--ior", "2"})["given"]["n"], "2");
+  EXPECT_EQ(json_of({"better", "fresnel-quadratic-b"})["contenders"].size(), schlick["contenders"].size());
   // The curve of the pair has its largest error at c = 0.055.
   const nlohmann::json part = json_of({"better", "fresnel-quadratic", "--domain", "0.25:1"})["contenders"][0];
   EXPECT_LT(part["max_abs_error"], first["max_abs_error"]);
