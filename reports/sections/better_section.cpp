@@ -7,7 +7,6 @@
 #include "reports/io/writers.hpp"
 #include "reports/sections/sections.hpp"
 #include "reports/studies/study_comparison.hpp"
-#include "reports/studies/study_rows.hpp"
 
 namespace shadefit {
 namespace {
@@ -17,14 +16,14 @@ std::string off_by(const StudyContender& contender) {
                      contender.operations.total());
 }
 
-/// "- Lagarde 2012, off by 0.03006 in 2 instructions: $2^{-A c}$ (minimax), off by 0.02628 in 2."
+/// "- Row 2, off by 0.03006 in 2 instructions: row 14, $2^{-A c}$ (minimax), off by 0.02628 in 2."
 std::string sentence(const StudyComparison& comparison, const StudyContender& published) {
-  const std::string what =
-      fmt::format("- {}, {} instructions: ", for_markdown(short_source(published.origin)), off_by(published));
+  const auto row = [&](const StudyContender& of) { return &of - comparison.contenders.data() + 1; };
+  const std::string what = fmt::format("- Row {}, {} instructions: ", row(published), off_by(published));
   const StudyContender* best = better_at_the_same_cost(comparison, published);
   if (best == nullptr) return what + "nothing here is better at its cost.\n";
-  return what +
-         fmt::format("{} ({}), {}.\n", mathematics(best->formula), for_markdown(best->origin), off_by(*best));
+  return what + fmt::format("row {}, {} ({}), {}.\n", row(*best), mathematics(best->formula),
+                            for_markdown(best->origin), off_by(*best));
 }
 
 /// The table of a comparison, with its forms as mathematics.
