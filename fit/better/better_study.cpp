@@ -46,8 +46,8 @@ bool is_shown(const SampledCurve& curve) {
 
 /// The study by its formulas next to the peak of its form, if it has a peak, and the variable of those.
 struct NearPeak {
-  explicit NearPeak(const Study& study)
-      : read(read_formulas(near_peak(study))), variable(peak_variable(study)) {}
+  NearPeak(const Study& study, const ReadStudy& plain)
+      : read(has_peak(study) ? read_formulas(near_peak(study)) : plain), variable(peak_variable(study)) {}
 
   double cosine_of(double value) const { return variable.cosine_at(value).cos_theta; }
 
@@ -74,7 +74,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, OthersTex
                             const Checkpoint& checkpoint) {
   const ReadStudy read = read_formulas(study);
   const bool is_plain = error_of(study) == "max_abs_error";
-  const NearPeak peak(study);
+  const NearPeak peak(study, read);
   StudyExtremum largest =
       is_plain ? largest_error(peak.read, values) : largest_weighted_error(peak.read, values);
   largest.at.front() = peak.cosine_of(largest.at.front());
@@ -243,9 +243,10 @@ std::vector<KeepingFit> keeping_fits(const StudyComparison& comparison, const St
 std::vector<StudyProperty> properties_of_target(const StudyForm& form, const Study& study,
                                                 const std::vector<double>& values) {
   const Study asked = with_form(study, form);
-  SampledCurve curve = NearPeak(asked).sample(values);
+  const ReadStudy read = read_formulas(asked);
+  SampledCurve curve = NearPeak(asked, read).sample(values);
   curve.form = curve.target;
-  return properties_of(read_formulas(asked), curve, {});
+  return properties_of(read, curve, {});
 }
 
 bool is_better(const StudyContender& contender, const StudyContender& published) {
