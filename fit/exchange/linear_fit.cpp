@@ -114,9 +114,11 @@ class LinearFit {
     return true;
   }
 
-  /// Whether a step from the answer raises no top that is at its bound.
+  /// Whether a step from the answer raises no top that is at its bound. If there is none, 0 is the nearest of
+  /// the allowed steps to each step along a coordinate, which is 1 long. The programme leaves less than
+  /// `rounding` of that step.
   bool has_way_on() {
-    constexpr double at_bound = 1e-7;
+    constexpr double at_bound = 1e-7, rounding = 1e-6;
     std::vector<Condition> conditions;
     for (std::size_t curve = 0; curve < cuts_.curves.size(); ++curve) {
       if (!cuts_.is_searched(curve)) continue;
@@ -127,7 +129,13 @@ class LinearFit {
         std::copy(slope.begin(), slope.end(), conditions.emplace_back().slope.begin());
       }
     }
-    return has_way(conditions, cuts_.size());
+    const Eigen::Index n = cuts_.size();
+    for (Eigen::Index i = 0; i < 2 * n; ++i) {
+      const VectorOf<double> towards = VectorOf<double>::Unit(n, i / 2) * (i % 2 == 0 ? 1 : -1);
+      const auto nearest = least_step(MatrixOf<double>::Identity(n, n), -towards, conditions);
+      if (!nearest || nearest->step.norm() > rounding) return true;
+    }
+    return false;
   }
 
   void tell_touching() {

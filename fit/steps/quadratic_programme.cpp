@@ -140,14 +140,4 @@ std::optional<QuadraticAnswer> least_step(const Eigen::MatrixXd& hessian, const 
   return DualMethod(hessian, gradient, conditions).solve();
 }
 
-bool has_way(std::span<const Condition> conditions, Eigen::Index size) {
-  constexpr double no_step = 1e-6;
-  for (Eigen::Index i = 0; i < 2 * size; ++i) {
-    const Vector towards = Vector::Unit(size, i / 2) * (i % 2 == 0 ? 1 : -1);
-    const auto nearest = least_step(Matrix::Identity(size, size), -towards, conditions);
-    if (!nearest || nearest->step.norm() > no_step) return true;
-  }
-  return false;
-}
-
 }  // namespace shadefit

@@ -31,8 +31,4 @@ struct QuadraticAnswer {
 std::optional<QuadraticAnswer> least_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
                                           std::span<const Condition> conditions);
 
-/// Whether a step of `size` parameters other than 0 meets conditions whose bounds are 0. If there is none, 0
-/// is the nearest of the allowed steps to each step along a coordinate.
-bool has_way(std::span<const Condition> conditions, Eigen::Index size);
-
 }  // namespace shadefit
