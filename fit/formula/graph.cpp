@@ -18,7 +18,7 @@ int index_of(const List& functions, std::string_view name) {
   return static_cast<int>(found - functions.data());
 }
 
-/// The operation of an expression that is no function.
+/// The operation of a sum, a product, a power or a choice.
 Operation operation_of(Kind kind) {
   static const std::map<Kind, Operation> operations{{Kind::add, Operation::add},
                                                     {Kind::subtract, Operation::subtract},

@@ -21,7 +21,7 @@ Cell at_most(double bound, int digits = 6);
 /// The constants of a fit in a number format.
 struct RoundedFit {
   std::optional<RoundedStudy> rounded = {};
-  std::string reason = {};  ///< why there are none; empty: there are, or nobody asked
+  std::string reason = {};  ///< why the fit could not be rounded
 };
 
 /// The constants of a fit as `round` rounds them. A fit that did not converge has none; of several fits, one
