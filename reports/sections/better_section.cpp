@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "reports/io/escape.hpp"
 #include "reports/io/mathematics.hpp"
 #include "reports/io/writers.hpp"
 #include "reports/sections/sections.hpp"
