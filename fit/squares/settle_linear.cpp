@@ -1,4 +1,3 @@
-#include <Eigen/QR>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "fit/squares/settle.hpp"
 #include "fit/steps/digits.hpp"
 #include "fit/steps/scaled_hessian.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -21,8 +21,8 @@ struct ColumnsOptimum {
 /// Empty if a column is dependent.
 std::optional<ColumnsOptimum> optimum_of(const SampledStudy<long double>& sampled) {
   constexpr int rounds = 3;  // each takes the rounding of the one before it
-  // A column is dependent if the others leave less of it than this share: 64 bits have 1e-19, and the sums
-  // over some thousands of nodes lose two digits.
+  // A column is dependent if those before it leave less of it than this share: 64 bits have 1e-19, and the
+  // sums over some thousands of nodes lose two digits.
   constexpr long double least_share = 1e-17L;
   ColumnsOptimum found;
   std::vector<long double> parameters(sampled.parameter_count());
@@ -32,11 +32,16 @@ std::optional<ColumnsOptimum> optimum_of(const SampledStudy<long double>& sample
     MatrixOf<long double> columns = all.roots.asDiagonal() * all.slopes;
     found.sizes = columns.colwise().norm().transpose();
     columns = columns * found.sizes.cwiseInverse().asDiagonal();
-    Eigen::ColPivHouseholderQR<MatrixOf<long double>> factors(columns);
-    factors.setThreshold(least_share);
-    if (!columns.allFinite() || factors.rank() < columns.cols()) return std::nullopt;
+    if (!columns.allFinite()) return std::nullopt;
+    // On the diagonal stands what the columns before it leave of a column, in the last column Q^T errors.
+    LongMatrix with_errors(columns.rows(), columns.cols() + 1);
+    with_errors << columns, errors;
+    const LongMatrix packed = packed_qr(with_errors).topRows(columns.cols());
+    if (packed.diagonal().cwiseAbs().minCoeff() < least_share) return std::nullopt;
     found.square = errors.squaredNorm();
-    found.last_step = -factors.solve(errors).cwiseQuotient(found.sizes);
+    VectorOf<long double> step = packed.rightCols<1>();
+    packed.leftCols(columns.cols()).triangularView<Eigen::Upper>().solveInPlace(step);
+    found.last_step = -step.cwiseQuotient(found.sizes);
     for (std::size_t i = 0; i < parameters.size(); ++i)
       parameters[i] += found.last_step[static_cast<Eigen::Index>(i)];
   }

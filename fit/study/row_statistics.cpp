@@ -1,6 +1,5 @@
 #include "fit/study/row_statistics.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -38,10 +37,10 @@ Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes
     slopes = SampledStudy<long double>(error, nodes).reduced(wide).slopes;
   }
   const VectorOf<long double> shrink = slopes.colwise().norm().cwiseInverse().transpose();
-  const Eigen::HouseholderQR<MatrixOf<long double>> qr(slopes * shrink.asDiagonal());
+  const MatrixOf<long double> packed = packed_qr(LongMatrix(slopes * shrink.asDiagonal()));
   const auto n = slopes.cols();
   const MatrixOf<long double> inverse =
-      qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().solve(MatrixOf<long double>::Identity(n, n));
+      packed.topRows(n).triangularView<Eigen::Upper>().solve(MatrixOf<long double>::Identity(n, n));
   return (shrink.asDiagonal() * (inverse * inverse.transpose()) * shrink.asDiagonal()).cast<double>();
 }
 

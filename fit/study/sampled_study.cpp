@@ -1,9 +1,10 @@
 #include "fit/study/study_problem.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -121,7 +122,7 @@ WeightedErrors<T> SampledStudy<T>::reduced(std::span<const T> parameters) const 
     MatrixOf<T> columns(own.slopes.rows(), n);
     columns << own.slopes, own.errors;
     const Eigen::Index rows = std::min(columns.rows(), n), at = first / Eigen::Index{rows_in_block} * n;
-    const MatrixOf<T> packed = Eigen::HouseholderQR<MatrixOf<T>>(columns).matrixQR().topRows(rows);
+    const MatrixOf<T> packed = packed_qr(columns).topRows(rows);
     triangles.middleRows(at, rows) = packed.template triangularView<Eigen::Upper>();
     return 0;
   });

@@ -1,5 +1,7 @@
 #include "fit/support/decompositions.hpp"
 
+#include <algorithm>
+
 namespace shadefit {
 namespace {
 
@@ -27,6 +29,20 @@ Eigen::MatrixXd basis(const PivotedQr& qr) {
 
 Eigen::MatrixXd packed_qr(const Eigen::MatrixXd& matrix) {
   return Eigen::HouseholderQR<Eigen::MatrixXd>(matrix).matrixQR();
+}
+
+LongMatrix packed_qr(LongMatrix matrix) {
+  // Column by column. Eigen's class works in blocks, which takes ten seconds of a compiler once more.
+  Eigen::VectorX<long double> workspace(matrix.cols());
+  for (Eigen::Index i = 0; i < std::min(matrix.rows(), matrix.cols()); ++i) {
+    auto column = matrix.col(i).tail(matrix.rows() - i);
+    long double tau, length;
+    column.makeHouseholderInPlace(tau, length);
+    column[0] = length;
+    matrix.bottomRightCorner(matrix.rows() - i, matrix.cols() - i - 1)
+        .applyHouseholderOnTheLeft(column.tail(matrix.rows() - i - 1), tau, workspace.data());
+  }
+  return matrix;
 }
 
 Eigen::MatrixXd qr_basis(const Eigen::MatrixXd& matrix) {

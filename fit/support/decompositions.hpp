@@ -8,6 +8,7 @@
 /// here are functions for them.
 namespace shadefit {
 
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using PivotedQr = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
 /// Q R with the longest column first, as far as columns are longer than `threshold` of the longest; 0 stands
@@ -22,6 +23,7 @@ Eigen::MatrixXd basis(const PivotedQr& qr);
 
 /// Q R without pivots, packed as Eigen does: R in the upper triangle.
 Eigen::MatrixXd packed_qr(const Eigen::MatrixXd& matrix);
+LongMatrix packed_qr(LongMatrix matrix);
 
 /// The whole of Q of Q R without pivots, square.
 Eigen::MatrixXd qr_basis(const Eigen::MatrixXd& matrix);
