@@ -4,7 +4,7 @@
 #include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"
 #include "fit/stress/fits.hpp"
-#include "fit/stress/forms.hpp"
+#include "fit/stress/form_trial.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fit/formula/tape_program.hpp"
-#include "fit/scalars/in_50_digits.hpp"
+#include "fit/scalars/rounded_once.hpp"
 
 namespace shadefit {
 namespace {
@@ -30,10 +30,10 @@ std::optional<long double> short_decimal(const std::string& text) {
   return digits / unit;
 }
 
-long double rounded_once(const Symbolic& expression) {
+long double rounded_constant(const Symbolic& expression) {
   const bool is_number = expression.kind() == Symbolic::Kind::number;
   if (const auto value = is_number ? short_decimal(expression.name()) : std::nullopt) return *value;
-  return static_cast<long double>(in_50_digits(expression));
+  return rounded_once(expression);
 }
 
 /// How many times outputs, and the nodes that they need, use each node. What is given needs no others.
@@ -81,7 +81,7 @@ Tape::Tape(const Graph& graph, std::span<const int> outputs, std::span<const int
     if (node.operation == Operation::constant) {
       place[i] = -1 - static_cast<int>(input_count_ + constants_.size());
       constants_.push_back(graph.constants()[static_cast<std::size_t>(node.index)]);
-      rounded_constants_.push_back(rounded_once(constants_.back()));
+      rounded_constants_.push_back(rounded_constant(constants_.back()));
       continue;
     }
     Instruction step{node.operation, node.index, {-1, -1, -1, -1}, 0};

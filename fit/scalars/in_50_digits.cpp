@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "fit/scalars/rounded_once.hpp"
+
 namespace shadefit {
 
 Decimal50 in_50_digits(const Symbolic& expression,
@@ -11,6 +13,18 @@ Decimal50 in_50_digits(const Symbolic& expression,
 
 Decimal50 in_50_digits(const Symbolic& expression) {
   return in_50_digits(expression, [](const std::string& name) -> Decimal50 { throw std::logic_error(name); });
+}
+
+long double rounded_once(const Symbolic& expression,
+                         const std::function<std::array<long double, 2>(const std::string&)>& value_of) {
+  return static_cast<long double>(in_50_digits(expression, [&](const std::string& name) {
+    const auto [a, b] = value_of(name);
+    return Decimal50(Decimal50(a) + Decimal50(b));
+  }));
+}
+
+long double rounded_once(const Symbolic& expression) {
+  return static_cast<long double>(in_50_digits(expression));
 }
 
 }  // namespace shadefit

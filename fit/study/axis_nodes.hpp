@@ -12,7 +12,7 @@
 
 #include "fit/formula/tape_program.hpp"
 #include "fit/quadrature/gauss.hpp"
-#include "fit/scalars/in_50_digits.hpp"
+#include "fit/scalars/rounded_once.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -45,8 +45,9 @@ class Density {
     // Long double has eleven digits more: what double loses to some ulps, it does not.
     constexpr long double few_ulps = 8 * std::numeric_limits<double>::epsilon();
     if (std::abs(narrow - wide) <= few_ulps * std::abs(wide)) return wide;
-    const Decimal50 precise = Decimal50(root) + Decimal50(distance);
-    return static_cast<long double>(in_50_digits(axis_.density, [&](const std::string&) { return precise; }));
+    return rounded_once(axis_.density, [&](const std::string&) {
+      return std::array{static_cast<long double>(root), distance};
+    });
   }
 
  private:

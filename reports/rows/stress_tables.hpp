@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/catalogue/family.hpp"
-#include "fit/stress/forms.hpp"
+#include "fit/stress/form_trial.hpp"
 #include "reports/io/table.hpp"
 
 /// The results of the stress tests of forms and fits, as tables.
