@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,10 @@ struct LinearCuts : LinearProblem {
   }
   /// The tops of a curve, at least those near its bound or above.
   std::vector<Place> tops(std::size_t curve);
+  /// Of an error, in units: it is the difference of two long doubles of the target's size.
+  double rounding() const {
+    return static_cast<double>(std::numeric_limits<long double>::epsilon()) * sampled.target_norm() / unit;
+  }
   double width(Eigen::Index axis) const {
     const StudyAxis& of = study.axes[static_cast<std::size_t>(axis)];
     return of.upper - of.lower;

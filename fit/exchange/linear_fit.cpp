@@ -60,7 +60,8 @@ class LinearFit {
       if (slack == 0 && newton_.touching.size() <= n) continue;
       // The programme's level is a lower bound, and nearly reached.
       constexpr double roundings = 100;
-      if (newton_.settle_level() && std::abs(cuts_.level - promised) <= roundings * least.rounding)
+      if (newton_.settle_level() &&
+          std::abs(cuts_.level - promised) <= roundings * (least.rounding + cuts_.rounding()))
         return true;
     }
     return fails("Newton's method does not settle at the level, about " + decimal(promised * cuts_.unit, 6));

@@ -149,7 +149,9 @@ bool LinearNewton::settle_level() {
     if (!std::isfinite(size)) break;
     if (size < 1e-17L || (size < 1e-10L && !(size < before / 2))) break;
   }
-  cuts_.fit.digits = correct_digits(size);
+  // Newton's method settles on the errors as they are rounded.
+  const Wide by_rounding = cuts_.rounding() * cuts_.steps.rowwise().norm().cast<long double>();
+  cuts_.fit.digits = correct_digits(std::max(size, relative(by_rounding)));
   return cuts_.fit.digits >= least_study_digits && has_signs();
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,23 @@ TEST(MinimaxStudy, TakesTheLimitOfARelativeErrorAtAZeroOfTheTarget) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(fit.parameters[i] / parameters[i], 1, 1e-12) << target;
     EXPECT_NEAR(*fit.level / level, 1, 1e-11) << target;
   }
+}
+
+// The level is 14 digits below the target: long double leaves it five, and the last parameter eight. By
+// Remez' exchange in 60 digits with mpmath, which solved the system at the places and moved them by Newton's
+// method.
+TEST(MinimaxStudy, FindsALevelNearTheRoundingOfTheTarget) {
+  const StudyFit fit = minimax_of({.target = "expm1(x)/x",
+                                   .form = "a + b x + d x^2 + g x^3",
+                                   .over = {{"x", "-0.001953125", "0.001953125"}}});
+  ASSERT_EQ(name(fit.status), "converged") << fit.why;
+  constexpr auto rounding = static_cast<double>(std::numeric_limits<long double>::epsilon());
+  EXPECT_NEAR(*fit.level, 1.5158247496252334e-14, 2 * rounding);  // two roundings of 1
+  const std::vector<double> right{0.99999999999998484, 0.49999999999998989, 0.16666669845581322,
+                                  0.04166667461395330};
+  ASSERT_GE(fit.digits, 6);
+  for (std::size_t i = 0; i < right.size(); ++i)
+    EXPECT_NEAR(fit.parameters[i] / right[i], 1, std::pow(10.0, -fit.digits)) << i << ", " << fit.digits;
 }
 
 // Without a limit the place is named.
