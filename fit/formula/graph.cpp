@@ -89,15 +89,13 @@ int Graph::constant(const Symbolic& value) {
 }
 
 int Graph::add(const Symbolic& e) {
+  if (e.is_of_numbers()) return constant(e);
   switch (e.kind()) {
     case Kind::variable: {
       const auto found = std::find(inputs_.begin(), inputs_.end(), e.name());
       if (found == inputs_.end()) throw std::logic_error("a variable that is no input: " + e.name());
       return node({Operation::input, static_cast<int>(found - inputs_.begin())});
     }
-    case Kind::number:
-    case Kind::constant:
-      return constant(e);
     case Kind::integral:
       return add(summed(e, rule_));
     default:
@@ -105,8 +103,8 @@ int Graph::add(const Symbolic& e) {
   }
   std::vector<int> parts;
   for (const Symbolic& part : e.parts()) parts.push_back(add(part));
-  const bool is_of_numbers = std::all_of(parts.begin(), parts.end(), [&](int i) { return is_constant(i); });
-  if (is_of_numbers) return constant(e);
+  // The sum of an integral may be a number.
+  if (std::ranges::all_of(parts, [&](int i) { return is_constant(i); })) return constant(e);
   GraphNode result =
       e.kind() == Kind::function ? called(e.name(), parts.size()) : GraphNode{operation_of(e.kind())};
   if (e.kind() == Kind::integer_power) result.index = e.exponent();

@@ -63,6 +63,8 @@ class Symbolic {
   const Symbolic& part(std::size_t i) const { return node_->parts.at(i); }
   /// The depth: operations inside one another; 0 for a number or a name.
   std::size_t depth() const { return node_->depth; }
+  /// Whether no variable is inside, not even that of an integral.
+  bool is_of_numbers() const { return node_->is_of_numbers; }
 
   friend Symbolic operator+(const Symbolic& a, const Symbolic& b) { return operation(Kind::add, {a, b}); }
   friend Symbolic operator-(const Symbolic& a, const Symbolic& b) {
@@ -80,6 +82,7 @@ class Symbolic {
     std::string name;
     std::vector<Symbolic> parts;
     std::size_t depth;
+    bool is_of_numbers;
   };
 
   static std::size_t depth_over(const std::vector<Symbolic>& parts) {
@@ -90,7 +93,9 @@ class Symbolic {
 
   Symbolic(Kind kind, std::string name, std::vector<Symbolic> parts) {
     const std::size_t depth = depth_over(parts);
-    node_ = std::make_shared<const Node>(Node{kind, std::move(name), std::move(parts), depth});
+    const bool is_of_numbers =
+        kind != Kind::variable && std::ranges::all_of(parts, &Symbolic::is_of_numbers);
+    node_ = std::make_shared<const Node>(Node{kind, std::move(name), std::move(parts), depth, is_of_numbers});
   }
 
   std::shared_ptr<const Node> node_;

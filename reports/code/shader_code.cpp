@@ -43,10 +43,6 @@ bool is_number(const Symbolic& e) {
   return e.kind() == Kind::number;
 }
 
-bool is_of_numbers(const Symbolic& e) {
-  return e.kind() != Kind::variable && std::ranges::all_of(e.parts(), is_of_numbers);
-}
-
 /// x^n, its multiplications written out.
 Symbolic multiplied(const Symbolic& x, int n) {
   if (n < 0) return Symbolic::number("1") / multiplied(x, -n);
@@ -62,7 +58,7 @@ std::optional<Symbolic> exp_by_exp2_of_product(const Symbolic& e) {
   if (e.kind() != Kind::function || e.name() != "exp" || e.part(0).kind() != Kind::multiply)
     return std::nullopt;
   const Symbolic& factor = e.part(0).part(0);
-  if (!is_of_numbers(factor)) return std::nullopt;
+  if (!factor.is_of_numbers()) return std::nullopt;
   return exp2(Symbolic((factor / ln2<Symbolic>()) * e.part(0).part(1)));
 }
 
@@ -251,7 +247,7 @@ std::string_view name(ShaderPrecision precision) {
 }
 
 Symbolic as_generated(const Symbolic& e, ShaderPrecision precision) {
-  if (is_of_numbers(e)) return Symbolic::number(shortest(in_50_digits(e), precision));
+  if (e.is_of_numbers()) return Symbolic::number(shortest(in_50_digits(e), precision));
   if (e.kind() == Kind::variable) return e;
   if (e.kind() == Kind::integer_power) return multiplied(as_generated(e.part(0), precision), e.exponent());
   if (const auto by_exp2 = exp_by_exp2_of_product(e)) return as_generated(*by_exp2, precision);
