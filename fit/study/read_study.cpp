@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study/study_nodes.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -107,6 +109,7 @@ std::vector<StudyAxis> axes_of(const Study& study) {
       throw StudyFault(part, quoted(range.variable) + " is given a second time");
     axes.push_back(study.rows ? axis_of_column(range, study.rows->places.at(axes.size()))
                               : axis_of_range(range, study));
+    axes.back().known_zeros = std::make_shared<KnownZeros>();
   }
   return axes;
 }

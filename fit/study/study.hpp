@@ -72,12 +72,16 @@ struct Study {
   std::optional<std::vector<double>> cuts = std::nullopt;
 };
 
+/// The zeros of hinges that were looked for: a fit asks for those of one form again and again.
+class KnownZeros;
+
 /// A range whose ends are numbers: with rows the least and the largest value.
 struct StudyAxis {
   std::string variable;
   double lower, upper;
   Symbolic density;
   std::vector<double> cuts = {};  ///< places that cut panels: more happens there than the nodes of a rule see
+  std::shared_ptr<KnownZeros> known_zeros = nullptr;  ///< of all copies of a study that was read
 };
 
 /// A study whose formulas have been read. Given constants are inserted.

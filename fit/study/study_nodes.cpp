@@ -164,6 +164,18 @@ void append_zeros(const Hinge& hinge, const StudyAxis& axis, std::vector<StudyEd
   append_zeros(hinge, part, axis, edges);
 }
 
+/// The same, of a hinge that others ask for too.
+void append_known_zeros(const Hinge& hinge, const StudyAxis& axis, std::vector<StudyEdge>& edges) {
+  const auto find = [&] {
+    std::vector<StudyEdge> zeros;
+    append_zeros(hinge, axis, zeros);
+    return zeros;
+  };
+  const KnownZeros::Of of{to_text(hinge.part), hinge.is_root, hinge.is_jump, axis.lower, axis.upper};
+  const std::vector<StudyEdge> zeros = axis.known_zeros ? axis.known_zeros->of(of, find) : find();
+  edges.insert(edges.end(), zeros.begin(), zeros.end());
+}
+
 /// Sorts edges and merges those that differ by rounding. The ends stay where they are.
 std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edges) {
   std::ranges::sort(edges, {}, &StudyEdge::at);
@@ -327,6 +339,16 @@ std::vector<Symbolic> moving_kinks(const ReadStudy& study) {
   return kinks;
 }
 
+std::vector<StudyEdge> KnownZeros::of(const Of& hinge, const std::function<std::vector<StudyEdge>()>& find) {
+  {
+    const std::lock_guard guard(lock_);
+    if (const auto known = found_.find(hinge); known != found_.end()) return known->second;
+  }
+  const std::vector<StudyEdge> zeros = find();
+  const std::lock_guard guard(lock_);
+  return found_.emplace(hinge, zeros).first->second;
+}
+
 std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> edges,
                                   const std::vector<Symbolic>& formulas) {
   for (const Symbolic& formula : formulas)
@@ -359,7 +381,7 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   };
   for (const Hinge& hinge :
        hinges_where({&study.target, &study.form, &study.weight, &axis.density}, is_of_axis))
-    append_zeros(hinge, axis, edges);
+    append_known_zeros(hinge, axis, edges);
   for (const Hinge& hinge : hinges_at_later_ends(study, index)) {
     if (!is_of_axis(free_variables(hinge.part))) continue;
     std::vector<StudyEdge> found;
@@ -371,7 +393,7 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   }
   // A relative error is 0/0 at a zero of the target. As an end of panels it has a limit from either side.
   if (study.error == Error::relative && is_of_axis(free_variables(study.target)))
-    append_zeros({.part = study.target, .is_root = false, .is_pole = false}, axis, edges);
+    append_known_zeros({.part = study.target, .is_root = false, .is_pole = false}, axis, edges);
   return with_cuts(axis, merged(axis, std::move(edges)));
 }
 

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "fit/study/study.hpp"
@@ -14,6 +19,19 @@ struct StudyEdge {
   double at;
   int power = 1;         ///< the formula is smooth in this root of the distance
   bool is_jump = false;  ///< whether it has another value on each side, and perhaps a third one here
+};
+
+class KnownZeros {
+ public:
+  /// A hinge and the range of its variable.
+  using Of = std::tuple<std::string, bool, bool, double, double>;
+
+  /// The edges that `find` gives for it, which is called once. Safe under threads.
+  std::vector<StudyEdge> of(const Of& hinge, const std::function<std::vector<StudyEdge>()>& find);
+
+ private:
+  std::mutex lock_;
+  std::map<Of, std::vector<StudyEdge>> found_;
 };
 
 /// The edges of an axis, rising: both ends of its range, and inside it the zeros of the hinges that depend on
