@@ -20,8 +20,8 @@ namespace shadefit::scene {
 namespace {
 
 /// Source: Khronos Group, "glTF Extension Registry", its ratified extensions and those of several vendors.
-/// The first six are read. The others are geometry, coding, visibility: they change no specular term. Textures in their
-/// formats are not read; a material that uses one says so.
+/// The first six are read. The others are geometry, coding, visibility: they change no specular term.
+/// Textures in their formats are not read; a material that uses one says so.
 constexpr std::string_view covered =
     " KHR_lights_punctual KHR_materials_ior KHR_materials_pbrSpecularGlossiness KHR_materials_specular"
     " KHR_materials_unlit KHR_materials_variants EXT_mesh_gpu_instancing EXT_meshopt_compression"
