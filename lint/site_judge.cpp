@@ -46,23 +46,54 @@ struct FoundLiterals {
   bool are_certain = false;
 };
 
-/// Reads the text around a site as the form of its set.
-class SiteReader {
+/// Judges a site in a text, by reading the program around it as the form of its set.
+class SiteJudge {
  public:
-  SiteReader(const ScannedText& text, const KnownSet& set, const Site& site, TextMemory& memory)
+  SiteJudge(const ScannedText& text, const ScannedText& program, const KnownSet& set, const Site& site,
+            TextMemory& memory)
       : text_(text),
+        program_(program),
         set_(set),
         site_(site),
         memory_(memory),
         constants_(constants_at(set, site, text.literals)),
         missing_(missing_constants(set, site)) {}
 
-  /// The constants as found: see constants_at().
-  const std::vector<double>& constants() const { return constants_; }
+  /// How much of the form the text contains.
+  Reading reading() const {
+    const std::size_t count = site_.numbers.size();
+    if (const auto match = read(); match && match->slip.empty())
+      return {Reading::Part::form, count + (match->replaced ? 1 : 0)};
+    const bool has_branch = reads_branch(2) || reads_branch(3);  // the parts of a choice behind its condition
+    return {has_branch ? Reading::Part::branch : Reading::Part::nothing, count};
+  }
 
-  /// The indices of the set's constants that are not at the site.
-  const std::vector<std::size_t>& missing() const { return missing_; }
+  std::optional<LintedSite> judge(const EffectLimits& limits) const {
+    auto match = read();
+    const bool is_read = match.has_value();
+    if (!is_read && site_.bits < telling_bits) return std::nullopt;
+    const auto in_order = is_read ? std::nullopt : literal_in_order();
+    if (in_order) match = replaced_by(*in_order);
+    const ExpressionMatch found = match.value_or(ExpressionMatch{set_.formula, constants_});
+    LintedSite judged = graded_site(set_, site_, found, limits, memory_.effects);
+    judged.numbers = judged_numbers();
+    if (found.replaced) {
+      if (auto number = replacing(found, in_order)) judged.numbers.push_back(std::move(*number));
+      std::ranges::sort(judged.numbers, {}, &LintedNumber::offset);
+    }
+    if (found.is_published)
+      for (LintedNumber& number : judged.numbers) number.grade = Grade::right;
+    judged.slip = found.slip;
+    judged.is_in_comment = std::ranges::all_of(
+        site_.numbers, [&](const SiteNumber& number) { return at(number.literal).is_in_comment; });
+    // A comment without a formula may wrap a number or mention an older one.
+    if (judged.is_in_comment && !is_read && judged.grade != Grade::right) return std::nullopt;
+    for (const SiteNumber& number : site_.numbers)
+      if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
+    return judged;
+  }
 
+ private:
   /// The smallest expression around the numbers that is the form, one of its mixed forms, or one of them with
   /// a slip. Empty if there is none, if more than one constant is missing that a program must have, or if the
   /// numbers are in other units.
@@ -88,15 +119,6 @@ class SiteReader {
     return slip;
   }
 
-  /// How much of the form the text contains.
-  Reading reading() const {
-    const std::size_t count = site_.numbers.size();
-    if (const auto match = read(); match && match->slip.empty())
-      return {Reading::Part::form, count + (match->replaced ? 1 : 0)};
-    const bool has_branch = reads_branch(2) || reads_branch(3);  // the parts of a choice behind its condition
-    return {has_branch ? Reading::Part::branch : Reading::Part::nothing, count};
-  }
-
   /// The literals of a constant that has this value at the site, and that only the expression shows: the
   /// nearest one, or several in a row, as in vec3(0.4, 0.4, 0.4). They are certain if no other literal near
   /// has this value.
@@ -110,18 +132,17 @@ class SiteReader {
     };
     std::vector<std::size_t> near;
     for (std::size_t i = first - std::min(first, most_literals);
-         i < std::min(text_.literals.size(), last + most_literals); ++i)
-      if (!is_taken(i) && number_of(text_.literals[i].digits) == value) near.push_back(i);
+         i < std::min(program_.literals.size(), last + most_literals); ++i)
+      if (!is_taken(i) && number_of(program_.literals[i].digits) == value) near.push_back(i);
     if (near.empty()) return {};
     if (near.back() - near.front() + 1 == near.size()) return {std::move(near), true};
     const auto distance = [&](std::size_t i) {  // in bytes
-      return i < first ? text_.literals[first].offset - text_.literals[i].offset
-                       : text_.literals[i].offset - text_.literals[std::min(i, last)].offset;
+      return i < first ? program_.literals[first].offset - program_.literals[i].offset
+                       : program_.literals[i].offset - program_.literals[std::min(i, last)].offset;
     };
     return {{*std::ranges::min_element(near, {}, distance)}, false};
   }
 
- private:
   bool believes_slips() const {
     return site_.numbers.size() > 1 && site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
   }
@@ -137,7 +158,7 @@ class SiteReader {
 
   /// The values that are computed around the numbers: first in one statement, then in several.
   std::vector<Symbolic> expressions(std::size_t first, std::size_t last) const {
-    const auto& [text, style, literals] = text_;
+    const auto& [text, style, literals] = program_;
     const std::size_t begin = literals[first].offset, end = literals[last].offset + literals[last].length;
     if (!literals[first].is_in_comment) return expressions_in(text, begin, end, style, memory_);
     constexpr std::size_t most_bytes_around = 700;
@@ -200,47 +221,6 @@ class SiteReader {
     return std::nullopt;
   }
 
-  const ScannedText& text_;
-  const KnownSet& set_;
-  const Site& site_;
-  TextMemory& memory_;
-  std::vector<double> constants_;
-  std::vector<std::size_t> missing_;
-};
-
-/// Judges a site in a text.
-class SiteJudge {
- public:
-  SiteJudge(const ScannedText& text, const ScannedText& program, const KnownSet& set, const Site& site,
-            TextMemory& memory)
-      : text_(text), set_(set), site_(site), reader_(program, set, site, memory), memory_(memory) {}
-
-  std::optional<LintedSite> judge(const EffectLimits& limits) const {
-    auto read = reader_.read();
-    const bool is_read = read.has_value();
-    if (!read && site_.bits < telling_bits) return std::nullopt;
-    const auto in_order = is_read ? std::nullopt : literal_in_order();
-    if (in_order) read = replaced_by(*in_order);
-    const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, reader_.constants()});
-    LintedSite judged = graded_site(set_, site_, found, limits, memory_.effects);
-    judged.numbers = judged_numbers();
-    if (found.replaced) {
-      if (auto number = replacing(found, in_order)) judged.numbers.push_back(std::move(*number));
-      std::ranges::sort(judged.numbers, {}, &LintedNumber::offset);
-    }
-    if (found.is_published)
-      for (LintedNumber& number : judged.numbers) number.grade = Grade::right;
-    judged.slip = found.slip;
-    judged.is_in_comment = std::ranges::all_of(
-        site_.numbers, [&](const SiteNumber& number) { return at(number.literal).is_in_comment; });
-    // A comment without a formula may wrap a number or mention an older one.
-    if (judged.is_in_comment && !is_read && judged.grade != Grade::right) return std::nullopt;
-    for (const SiteNumber& number : site_.numbers)
-      if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
-    return judged;
-  }
-
- private:
   const Literal& at(std::size_t literal) const { return text_.literals[literal]; }
   const Digits& digits_at(const SiteNumber& number) const { return at(number.literal).digits; }
   Digits published(const SiteNumber& number) const {
@@ -282,7 +262,7 @@ class SiteJudge {
     const double value = std::abs(match.constants[constant]);
     const Grade grade = grade_of_other(set_.constants[constant], value);
     if (in_order) return judged_number({*in_order}, constant, grade);
-    const FoundLiterals found = reader_.literals_of(constant, value);
+    const FoundLiterals found = literals_of(constant, value);
     if (found.literals.empty()) return std::nullopt;
     LintedNumber number = judged_number(found.literals, constant, grade);
     number.is_certain = found.are_certain;
@@ -293,11 +273,10 @@ class SiteJudge {
   /// neighbours replaces it: vec4(1, 0.0425, 1.0, -0.04).
   std::optional<std::size_t> literal_in_order() const {
     constexpr std::size_t least_constants = 5;  // with fewer, the order says little
-    const std::vector<std::size_t>& missing = reader_.missing();
-    if (missing.size() != 1 || set_.constants.size() < least_constants) return std::nullopt;
+    if (missing_.size() != 1 || set_.constants.size() < least_constants) return std::nullopt;
     for (std::size_t i = 1; i < site_.numbers.size(); ++i)
       if (site_.numbers[i].constant <= site_.numbers[i - 1].constant) return std::nullopt;
-    const std::size_t place = missing.front();
+    const std::size_t place = missing_.front();
     if (place == 0 || place + 1 == set_.constants.size()) return std::nullopt;
     const std::size_t before = site_.numbers[place - 1].literal, behind = site_.numbers[place].literal;
     const Literal& literal = at(before + 1);
@@ -309,23 +288,24 @@ class SiteJudge {
 
   /// The form with this number in place of the only missing constant.
   ExpressionMatch replaced_by(std::size_t literal) const {
-    const std::size_t constant = reader_.missing().front();
-    std::vector<double> found = reader_.constants();
+    const std::size_t constant = missing_.front();
+    std::vector<double> found = constants_;
     found[constant] = std::copysign(number_of(at(literal).digits), found[constant]);
     return {.form = set_.formula, .constants = found, .replaced = constant};
   }
 
-  const ScannedText& text_;
+  const ScannedText &text_, &program_;
   const KnownSet& set_;
   const Site& site_;
-  SiteReader reader_;
   TextMemory& memory_;
+  std::vector<double> constants_;     ///< as found: see constants_at()
+  std::vector<std::size_t> missing_;  ///< the set's constants that are not at the site
 };
 
 }  // namespace
 
 Reading reading_of(const ScannedText& program, const KnownSet& set, const Site& site, TextMemory& memory) {
-  return SiteReader(program, set, site, memory).reading();
+  return SiteJudge(program, program, set, site, memory).reading();
 }
 
 std::optional<LintedSite> judge_site(const ScannedText& text, const ScannedText& program, const KnownSet& set,

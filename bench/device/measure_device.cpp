@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bench/device/evaluator.hpp"
-#include "bench/forms/forms.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -96,7 +95,7 @@ InPrecision add_all(Programme& programme, const bench::FormsToTime& forms, Shade
 /// The time of a multiply-add.
 Rounds multiply_add(const std::vector<Rounds>& times, const InPrecision& one) {
   Rounds ns = without(times[one.polynomial], times[one.alone]);
-  for (double& x : ns) x /= forms::MultiplyAdds::count;
+  for (double& x : ns) x /= bench::multiply_adds_of_chain;
   return ns;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 /// The inputs of the forms.
 struct Grid {
-  std::array<std::vector<double>, 3> in;  ///< as in `Arrays`
+  Inputs<double> in = Inputs<double>(3);
 
   std::size_t size() const { return in[0].size(); }
   void add(double x, double y = 0, double z = 0) {
@@ -60,44 +60,34 @@ Grid grid_of(const Target& target) {
   return grid;
 }
 
-/// The places in an arithmetic, with the target and the results of a form.
+/// The places in an arithmetic, and the target there.
 template <class R>
-class Places {
- public:
-  Places(const Grid& grid, const Target& target, Kernel<long double> exact)
-      : grid_(grid), target_(parameters_of(target, {})) {
-    std::array<std::vector<long double>, 3> wide;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const double x : grid.in[axis]) {
-        in_[axis].push_back(rounded_to<R>(x));
-        wide[axis].push_back(static_cast<long double>(widened(in_[axis].back())));
-      }
+struct Places {
+  Inputs<R> in;
+  std::vector<long double> truth;
+
+  Places(const Grid& grid, const Target& target, Kernel<long double> exact) {
+    Inputs<long double> wide;
+    for (const std::vector<double>& axis : grid.in) {
+      std::vector<R>& rounded = in.emplace_back();
+      for (const double x : axis) rounded.push_back(rounded_to<R>(x));
+      std::vector<long double>& exactly = wide.emplace_back();
+      for (const R x : rounded) exactly.push_back(static_cast<long double>(widened(x)));
     }
-    const std::vector<long double> parameters(target_.begin(), target_.end());
-    truth_.resize(grid.size());
-    exact({{wide[0].data(), wide[1].data(), wide[2].data()}, truth_.data(), grid.size()}, parameters);
+    const std::vector<double> given = parameters_of(target, {});
+    truth = exact(wide, std::vector<long double>(given.begin(), given.end()));
   }
 
-  /// The form's results there.
-  std::vector<double> results(Kernel<R> kernel, const Constants& constants) const {
-    std::vector<R> parameters, out(grid_.size());
-    for (const double p : target_) parameters.push_back(rounded_to<R>(p));
-    for (const NamedNumber& number : constants.numbers) parameters.push_back(rounded_to<R>(number.value));
-    kernel({{in_[0].data(), in_[1].data(), in_[2].data()}, out.data(), grid_.size()}, parameters);
+  double cosine(std::size_t i) const { return widened(in[0][i]); }
+
+  /// The results of a form.
+  std::vector<double> results(Kernel<R> kernel, const std::vector<double>& given) const {
+    std::vector<R> parameters;
+    for (const double p : given) parameters.push_back(rounded_to<R>(p));
     std::vector<double> results;
-    for (const R x : out) results.push_back(widened(x));
+    for (const R x : kernel(in, parameters)) results.push_back(widened(x));
     return results;
   }
-
-  double cosine(std::size_t i) const { return widened(in_[0][i]); }
-  long double truth(std::size_t i) const { return truth_[i]; }
-  std::size_t size() const { return grid_.size(); }
-
- private:
-  const Grid& grid_;
-  std::array<std::vector<R>, 3> in_;
-  std::vector<long double> truth_;
-  std::vector<double> target_;
 };
 
 /// The distance between the numbers of a format around a normal x.
@@ -116,9 +106,9 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
   Errors errors;
   Effect effect;
   long double square = 0;
-  std::vector<double> off(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const long double truth = places.truth(i), difference = static_cast<long double>(results[i]) - truth;
+  std::vector<double> off(results.size());
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const long double truth = places.truth[i], difference = static_cast<long double>(results[i]) - truth;
     off[i] = static_cast<double>(std::fabs(difference));
     square += difference * difference;
     errors.absolute = std::max(errors.absolute, off[i]);
@@ -130,10 +120,10 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
   }
   errors.relative = effect.relative.magnitude;
   errors.codes = effect.srgb_codes;
-  errors.rms = static_cast<double>(std::sqrt(square / static_cast<long double>(places.size())));
+  errors.rms = static_cast<double>(std::sqrt(square / static_cast<long double>(results.size())));
   constexpr double equal = 1e-6;
   errors.at = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
     if (off[i] >= (1 - equal) * errors.absolute) errors.at = std::min(errors.at, places.cosine(i));
   }
   return errors;
@@ -175,7 +165,7 @@ void append(Table& table, const Target& target, const Checkpoint& checkpoint) {
         if (kernel == nullptr) return;
         checkpoint();
         append_row(table, target, form, constants, arithmetic, degree,
-                   errors_of(places, places.results(kernel, constants)));
+                   errors_of(places, places.results(kernel, parameters_of(target, constants))));
       };
       for (const FormKernels& kernels : kernels_of(form.id)) {
         const bool is_library = kernels.exp2_degree == 0;

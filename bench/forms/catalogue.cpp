@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "approx/exp2_polynomial.hpp"
 #include "bench/forms/pair_for_exp2.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/support/decimal.hpp"
@@ -87,83 +88,91 @@ std::vector<Constants> nothing() {
   return {{"none", {}}};
 }
 
-template <class Form>
-void append(Target& target, std::vector<Constants> constants) {
-  target.forms.push_back({Form::id, std::move(constants)});
+FormEntry of_family(std::string_view id) {
+  return {id, constants_of(id)};
 }
 
 static_assert(fixed_exponent == 16, "the texts of the targets say so");
 
+NamedNumber exponent() {
+  return printed_number("k", std::to_string(fixed_exponent));
+}
+
 Target lobe(const std::vector<Constants>& offsets) {
-  Target target{
-      "lobe", "c^k, k = 16", Arguments::cosine, 0, 1, {printed_number("k", std::to_string(fixed_exponent))}};
-  append<LobePower>(target, nothing());
-  append<LobeExp2Log2>(target, nothing());
-  append<LobeSquarings>(target, nothing());
-  append<LobeGaussian>(target, offsets);
-  append<LobeGaussianOfDifference>(target, telling(offsets));
-  append<LobeScaledGaussian>(target, constants_of("sg-scaled"));
-  append<LobeBlinn>(target, constants_of("phong-blinn"));
-  return target;
+  return {"lobe",
+          "c^k, k = 16",
+          Arguments::cosine,
+          0,
+          1,
+          {exponent()},
+          {{"lobe-pow", nothing()},
+           {"lobe-exp2-log2", nothing()},
+           {"lobe-squarings", nothing()},
+           {"sg", offsets},
+           {"sg-difference", telling(offsets)},
+           of_family("sg-scaled"),
+           of_family("phong-blinn")}};
 }
 
 Target gloss() {
-  Target target{"lobe-gloss",
-                "c^(2^(d g + f)), g an 8-bit code/255",
-                Arguments::cosine_and_code,
-                0,
-                1,
-                {printed_number("d", "10"), printed_number("f", "1")}};
-  append<GlossPower>(target, nothing());
   // Lagarde 2012.
   const auto with_offset = [](const char* name, std::string_view x) -> Constants {
     return {name, {printed_number("m", "1.528766"), printed_number("x", x)}};
   };
-  append<GlossGaussian>(
-      target, {with_offset("plain", "0"),
-               with_offset("published-sg-offset-mean", find_published("sg-offset-mean")->printed),
-               with_offset("published-sg-offset-limit", find_published("sg-offset-limit")->printed)});
-  return target;
+  return {"lobe-gloss",
+          "c^(2^(d g + f)), g an 8-bit code/255",
+          Arguments::cosine_and_code,
+          0,
+          1,
+          {printed_number("d", "10"), printed_number("f", "1")},
+          {{"gloss-pow", nothing()},
+           {"gloss-sg",
+            {with_offset("plain", "0"),
+             with_offset("published-sg-offset-mean", find_published("sg-offset-mean")->printed),
+             with_offset("published-sg-offset-limit", find_published("sg-offset-limit")->printed)}}}};
 }
 
 Target schlick() {
-  Target target{"schlick", "(1 - c)^5", Arguments::cosine, 0, 1, {}};
-  append<SchlickPower>(target, nothing());
-  append<SchlickMultiplied>(target, nothing());
-  const auto append_family = [&]<class Form>(Form) { append<Form>(target, constants_of(Form::id)); };
-  append_family(FresnelOneTermForm());
-  append_family(FresnelQuadraticForm());
-  append_pair_for_exp2(target.forms.back().constants);
-  append_family(FresnelCubicForm());
-  append_family(FresnelQuarticForm());
-  append_family(FresnelFourthForm());
-  append_family(FresnelSquareForm());
-  append_family(FresnelRationalForm());
+  Target target{"schlick",
+                "(1 - c)^5",
+                Arguments::cosine,
+                0,
+                1,
+                {},
+                {{"schlick-pow", nothing()}, {"schlick", nothing()}}};
+  for (const char* id : {"fresnel-one-term", "fresnel-quadratic", "fresnel-cubic", "fresnel-quartic",
+                         "fresnel-fourth", "fresnel-square", "fresnel-rational"}) {
+    target.forms.push_back(of_family(id));
+    if (target.forms.back().id == "fresnel-quadratic") append_pair_for_exp2(target.forms.back().constants);
+  }
   return target;
 }
 
 Target phases() {
-  Target target{
-      "henyey-greenstein",          "(1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5)", Arguments::cosine, -1, 1,
-      {printed_number("g", "0.76")}};
-  append<HenyeyGreensteinPower>(target, nothing());
-  append<HenyeyGreensteinRoot>(target, nothing());
   // Pharr, Humphreys 2010.
-  append<SchlickPhase>(target, {{"published", {printed_number("a", "1.55"), printed_number("b", "0.55")}}});
-  return target;
+  const Constants published{"published", {printed_number("a", "1.55"), printed_number("b", "0.55")}};
+  return {"henyey-greenstein",
+          "(1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5)",
+          Arguments::cosine,
+          -1,
+          1,
+          {printed_number("g", "0.76")},
+          {{"hg-pow", nothing()}, {"hg-sqrt", nothing()}, {"schlick-phase", {published}}}};
 }
 
 Target lights(std::string_view id, std::size_t count, const std::vector<Constants>& offsets) {
-  Target target{id, "sum of max(n.l, 0)^k over the lights, k = 16",       Arguments::normal_to_lights, 0,
-                1,  {printed_number("k", std::to_string(fixed_exponent))}};
+  Target target{id,
+                "sum of max(n.l, 0)^k over the lights, k = 16",
+                Arguments::normal_to_lights,
+                0,
+                1,
+                {exponent()},
+                {{"phong-pow", nothing()}, {"phong-squarings", nothing()}, {"phong-sg", telling(offsets)}}};
   for (std::size_t i = 0; i < count; ++i) {
     const std::array<double, 3> direction = spread_direction(i);
     for (std::size_t axis = 0; axis < 3; ++axis)
       target.parameters.push_back(computed_number(std::array{"x", "y", "z"}[axis], direction[axis]));
   }
-  append<PhongPower>(target, nothing());
-  append<PhongSquarings>(target, nothing());
-  append<PhongGaussian>(target, telling(offsets));
   return target;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,11 +38,8 @@ struct Target {
   Arguments arguments;      ///< what it reads of each element
   double from = 0, to = 1;  ///< the range of its cosines
   std::vector<NamedNumber> parameters;
-  std::vector<FormEntry> forms = {};  ///< the first is the target itself
+  std::vector<FormEntry> forms;  ///< the first is the target itself
 };
-
-/// The power of the fixed lobe and of the highlights: 2^4, which four squarings compute.
-inline constexpr int fixed_exponent = LobeSquarings::exponent;
 
 /// The catalogue. Each call computes its fits, in a fraction of a second.
 std::vector<Target> catalogue();

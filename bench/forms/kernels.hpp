@@ -1,29 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "fit/scalars/symbolic.hpp"
 
 /// Every form over arrays, in each arithmetic.
 namespace shadefit::forms {
 
-/// The arrays of a kernel. Arrays that a target does not use are null.
+/// The inputs of a form at places: the cosines, or the cosines and the codes of their gloss, or the normals'
+/// x, y and z. There may be more of them than the form reads.
 template <class Real>
-struct Arrays {
-  /// The cosines, or the cosines and the codes of their gloss, or the normals' x, y and z.
-  std::array<const Real*, 3> in{};
-  Real* out = nullptr;
-  std::size_t size = 0;
-};
+using Inputs = std::vector<std::vector<Real>>;
 
-/// A form over arrays. `parameters` are its constants in the order of its formula, those of the target (the
-/// exponent, the lights) before those of the form.
+/// The values of a form at places. `parameters` are its constants in the order of its formula, those of the
+/// target (the exponent, the lights) before those of the form.
 template <class Real>
-using Kernel = void (*)(const Arrays<Real>&, std::span<const Real> parameters);
+using Kernel = std::vector<Real> (*)(const Inputs<Real>& in, std::span<const Real> parameters);
 
 /// A form and its exp2. Where the form has no such kernel, the pointer is null.
 struct FormKernels {

@@ -1,5 +1,6 @@
 #include "bench/forms/swept_form.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "bench/forms/kernels.hpp"
@@ -12,13 +13,12 @@ FloatSubject subject_of(const SweptForm& swept) {
   return {[form = forms::kernels_of(swept.form->id).front().in_float,
            parameters = std::vector<float>(given.begin(), given.end())](const float* in, float* out,
                                                                         std::size_t count) {
-            form({.in = {in}, .out = out, .size = count}, parameters);
+            std::ranges::copy(form({{in, in + count}}, parameters), out);
           },
           [truth = forms::kernels_of(exact.id).front().in_double,
            parameters = forms::parameters_of(*swept.target, exact.constants.front())](
               const float* in, double* out, std::size_t count) {
-            const std::vector<double> cosines(in, in + count);
-            truth({.in = {cosines.data()}, .out = out, .size = count}, parameters);
+            std::ranges::copy(truth({{in, in + count}}, parameters), out);
           }};
 }
 

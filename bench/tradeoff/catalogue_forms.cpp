@@ -30,12 +30,11 @@ Places grid_of(const forms::Target& target) {
 template <class Real>
 std::vector<Real> values_of(forms::Kernel<Real> kernel, const Places& places,
                             const std::vector<double>& given) {
-  const std::size_t size = places.front().size();
-  std::vector<Real> parameters, in[3], out(size);
+  std::vector<Real> parameters;
   for (const double x : given) parameters.push_back(static_cast<Real>(x));
-  for (std::size_t i = 0; i < places.size(); ++i) in[i].assign(places[i].begin(), places[i].end());
-  kernel({{in[0].data(), in[1].data(), in[2].data()}, out.data(), size}, parameters);
-  return out;
+  forms::Inputs<Real> in;
+  for (const std::vector<float>& axis : places) in.emplace_back(axis.begin(), axis.end());
+  return kernel(in, parameters);
 }
 
 FormTarget made_target(const forms::Target& target) {
@@ -100,17 +99,14 @@ bool is_of_several_lights(const forms::Target& target) {
 
 ShaderFunction function_of(const forms::Target& target, const forms::FormEntry& form,
                            const forms::Constants& constants) {
-  std::vector<Symbolic> numbers, variables;
+  std::vector<Symbolic> numbers;
   for (const auto* list : {&target.parameters, &constants.numbers}) {
     for (const forms::NamedNumber& number : *list) numbers.push_back(Symbolic::number(number.printed));
   }
   const std::vector<std::string> arguments = arguments_of(target.arguments);
-  for (const std::string& name : arguments) variables.push_back(Symbolic::variable(name));
-  Symbolic result = variables.front();
-  forms::Arrays<Symbolic> one{{}, &result, 1};
-  for (std::size_t i = 0; i < variables.size(); ++i) one.in[i] = &variables[i];
-  forms::kernels_of(form.id).front().in_symbols(one, numbers);
-  return {form_name, arguments, result};
+  forms::Inputs<Symbolic> one;
+  for (const std::string& name : arguments) one.push_back({Symbolic::variable(name)});
+  return {form_name, arguments, forms::kernels_of(form.id).front().in_symbols(one, numbers).front()};
 }
 
 FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
@@ -132,8 +128,13 @@ FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
 }
 
 ShaderFunction multiply_add_chain() {
-  using Form = forms::MultiplyAdds;
-  return {form_name, {"c"}, Form()(Symbolic::variable("c"), Form::prepared(std::array<Symbolic, 0>()))};
+  // The highest coefficient, and four that come again and again: exact in half, and 1 in sum.
+  const auto part = [](int n) { return integer<Symbolic>(n) / integer<Symbolic>(64); };
+  const std::array again{part(1), part(2), part(3), part(6)};
+  const Symbolic c = Symbolic::variable("c");
+  Symbolic value = part(16);
+  for (int i = 0; i < multiply_adds_of_chain; ++i) value = value * c + again[static_cast<std::size_t>(i % 4)];
+  return {form_name, {"c"}, value};
 }
 
 }  // namespace shadefit::bench

@@ -152,8 +152,7 @@ Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clo
               .shows_all_sets = forms.are_of_a_study};
   for (const FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
   Spread unit = spread_of(samples.front().ns);
-  for (double* ns : {&unit.median, &unit.lower_quartile, &unit.upper_quartile})
-    *ns /= forms::MultiplyAdds::count;
+  for (double* ns : {&unit.median, &unit.lower_quartile, &unit.upper_quartile}) *ns /= multiply_adds_of_chain;
   trade.forms.push_back({.form = "multiply-add", .label = "multiply-add", .ns = unit, .multiply_adds = 1.0});
   for (std::size_t i = 0; i < forms.forms.size(); ++i) {
     TimedForm row = forms.forms[i].row;

@@ -81,8 +81,10 @@ FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
 FormsToTime study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons,
                         Language language);
 
-/// `forms::MultiplyAdds`: each multiply-add waits for the one before.
+/// Multiply-adds, each of which waits for the one before: the unit of every time. A polynomial of degree 16
+/// by Horner's rule, from [0, 1] to [0, 1].
 ShaderFunction multiply_add_chain();
+inline constexpr int multiply_adds_of_chain = 16;
 
 /// The largest |value - truth|, or infinity if a value is NaN.
 double largest_error(std::span<const float> values, std::span<const double> truth);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fit/formula/shader_calls.hpp"
-#include "lint/expression/statements.hpp"
+#include "fit/support/lines.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "lint/expression/curve_comparison.hpp"
@@ -12,10 +13,11 @@
 namespace shadefit::lint {
 namespace {
 
-/// The form and all its parts.
-void append_parts(const Curve& curve, std::vector<Curve>& parts) {
-  parts.push_back(curve);
-  for (const Symbolic& part : curve.form.parts()) append_parts({part, curve.constants}, parts);
+/// A formula and all its parts, each before its own.
+std::vector<Symbolic> all_parts(const Symbolic& formula) {
+  std::vector<Symbolic> parts{formula};
+  for (const Symbolic& part : formula.parts()) std::ranges::copy(all_parts(part), std::back_inserter(parts));
+  return parts;
 }
 
 bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
@@ -62,22 +64,14 @@ Symbolic without_inner_powers(const Symbolic& formula) {
   return formula.with_parts(std::move(parts));
 }
 
-/// Adds the numbers with which an expression compares something.
-void append_thresholds(const Symbolic& expression, std::vector<double>& thresholds) {
-  if (expression.kind() == Symbolic::Kind::choice)
-    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
-      if (is_number(expression.part(side)))
-        thresholds.push_back(evaluate<double>(expression.part(side), [](const auto&) { return 0.0; }));
-  for (const Symbolic& part : expression.parts()) append_thresholds(part, thresholds);
-}
-
-/// Whether a form compares something with this name.
-bool compares_with(const Symbolic& form, const std::string& name) {
-  const auto is_name = [&](const Symbolic& side) {
-    return side.kind() == Symbolic::Kind::variable && side.name() == name;
-  };
-  if (form.kind() == Symbolic::Kind::choice && (is_name(form.part(0)) || is_name(form.part(1)))) return true;
-  return std::ranges::any_of(form.parts(), [&](const Symbolic& part) { return compares_with(part, name); });
+/// The numbers with which an expression compares something.
+std::vector<double> numbers_compared_in(const Symbolic& expression) {
+  std::vector<double> numbers;
+  for (const Symbolic& part : all_parts(expression))
+    for (std::size_t side = 0; part.kind() == Symbolic::Kind::choice && side < 2; ++side)
+      if (is_number(part.part(side)))
+        numbers.push_back(evaluate<double>(part.part(side), [](const auto&) { return 0.0; }));
+  return numbers;
 }
 
 /// Compares an expression with a form.
@@ -104,10 +98,9 @@ class ExpressionMatcher {
   std::optional<ExpressionMatch> compared(const std::vector<std::size_t>& missing) const {
     constexpr double near = 0.05;  // nearer ones may join the branches better
     if (comparison_.is_empty()) return std::nullopt;
-    std::vector<double> thresholds;
-    append_thresholds(parts_.back().formula, thresholds);
+    const std::vector<double> thresholds = numbers_compared_in(parts_.back().formula);
     for (const std::size_t constant : missing) {
-      if (!compares_with(set_.formula, set_.constants[constant].name)) continue;
+      if (thresholds_of(set_, set_.formula, constants_, set_.constants[constant].name).empty()) continue;
       for (const double number : thresholds) {
         if (is_near(number, constants_[constant], near)) continue;
         std::vector<double> other = constants_;
@@ -159,7 +152,7 @@ class ExpressionMatcher {
   /// What is right: the form and its parts, and the form without inner powers, or with 1 for a variable.
   std::vector<Curve> allowed_curves() const {
     std::vector<Curve> allowed;
-    append_parts({set_.formula, constants_}, allowed);
+    for (const Symbolic& part : all_parts(set_.formula)) allowed.push_back({part, constants_});
     allowed.push_back({without_inner_powers(set_.formula), constants_});
     for (const KnownAxis& axis : set_.axes)
       if (axis.lower <= 1 && 1 <= axis.upper)
@@ -203,8 +196,8 @@ class ExpressionMatcher {
 
 std::set<std::string> names_of(const Symbolic& formula) {
   std::set<std::string> names;
-  if (formula.kind() == Symbolic::Kind::variable) names.insert(formula.name());
-  for (const Symbolic& part : formula.parts()) names.merge(names_of(part));
+  for (const Symbolic& part : all_parts(formula))
+    if (part.kind() == Symbolic::Kind::variable) names.insert(part.name());
   return names;
 }
 

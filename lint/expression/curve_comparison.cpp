@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace shadefit::lint {
 namespace {
@@ -159,10 +160,8 @@ CurveComparison::Values CurveComparison::values_of(const Curve& curve) const {
   Places places = places_;
   std::vector<std::string> names;
   for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
-  for (std::size_t i = 0; i < set_.constants.size(); ++i) {
-    names.push_back(set_.constants[i].name);
-    for (std::vector<double>& place : places) place.push_back(curve.constants[i]);
-  }
+  for (const KnownConstant& constant : set_.constants) names.push_back(constant.name);
+  for (std::vector<double>& place : places) std::ranges::copy(curve.constants, std::back_inserter(place));
   return values_at(curve.form, names, places);
 }
 

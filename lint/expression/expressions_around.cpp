@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "lint/expression/source_expression.hpp"
-#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {

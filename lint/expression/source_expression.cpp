@@ -11,7 +11,6 @@
 #include "fit/formula/parse_formula.hpp"
 #include "fit/formula/shader_calls.hpp"
 #include "lint/expression/calls.hpp"
-#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/scan/notation.hpp"
 

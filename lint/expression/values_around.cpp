@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "fit/support/lines.hpp"
 #include "lint/expression/source_expression.hpp"
-#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {
@@ -18,6 +20,47 @@ constexpr std::size_t most_bytes_before = 300;
 
 /// A person does not write larger formulas.
 constexpr std::size_t deepest_value = 60, most_parts_of_value = 1000;
+
+struct Statement {
+  std::size_t begin = 0, end = 0;  ///< in the text
+  std::string text;
+};
+
+/// "float3 a = x * 2": the name a, the operator (0, or that of *=) and the right side. "return x": no name.
+struct Assignment {
+  std::string name;
+  char operation = '\0';
+  std::string right;
+};
+
+/// The last name of "const float3 a", of "let a: f32" the one before the colon.
+std::string assigned_name(std::string_view left) {
+  left = trimmed(left.substr(0, left.find(':')));
+  const auto is_of_path = [](char c) { return is_of_name(c) || c == '.'; };
+  return std::string(left.substr(begin_of_run(left, left.size(), is_of_path)));
+}
+
+/// Empty for a comparison and for what has no name on its left side.
+std::optional<Assignment> assignment_of(std::string_view statement) {
+  statement = trimmed(statement);
+  constexpr std::string_view word = "return";
+  if (statement.starts_with(word) && statement.size() > word.size() && !is_of_name(statement[word.size()]))
+    return Assignment{"", '\0', std::string(statement.substr(word.size()))};
+  for (std::size_t i = 1; i + 1 < statement.size(); ++i) {
+    if (statement[i] == '(') break;
+    if (statement[i] != '=') continue;
+    if (statement[i + 1] == '>') break;  // c => a * c
+    if (statement[i + 1] == '=' || is_one_of(statement[i - 1], "=<>!")) return std::nullopt;
+    const bool is_compound = is_one_of(statement[i - 1], "+-*/");
+    const std::size_t sign = is_compound ? i - 1 : i - (statement[i - 1] == ':' ? 1 : 0);
+    std::string name = assigned_name(statement.substr(0, sign));
+    if (name.empty()) return std::nullopt;
+    return Assignment{std::move(name), is_compound ? statement[i - 1] : '\0',
+                      std::string(statement.substr(i + 1))};
+  }
+  // The last expression of a function in Rust.
+  return Assignment{"", '\0', std::string(statement)};
+}
 
 /// Whether a formula has more parts than this; each use of a name counts, as in b = b * b - a, again and
 /// again.

@@ -45,10 +45,25 @@ constexpr std::string_view line_at(std::string_view text, std::size_t begin) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// The text without blanks around.
-constexpr std::string_view trimmed(std::string_view text) {
-  text = text.substr(0, begin_of_run(text, text.size(), is_blank));
-  return text.substr(end_of_run(text, 0, is_blank));
+/// The first place of a word outside of parentheses, or the end of the text.
+inline std::size_t place_outside(std::string_view text, std::string_view word) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (depth == 0 && text.substr(i).starts_with(word)) return i;
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if (text[i] == ')' || text[i] == ']') --depth;
+  }
+  return text.size();
+}
+
+/// Whether a statement goes on behind the end of a line: `last` has the last character before it, or `next`
+/// the first behind it.
+inline bool goes_on(std::string_view text, std::size_t line_end, std::string_view last,
+                    std::string_view next) {
+  const std::size_t before = begin_of_run(text, line_end, is_blank),
+                    behind = end_of_run(text, line_end, is_blank);
+  return (before > 0 && is_one_of(text[before - 1], last)) ||
+         (behind < text.size() && is_one_of(text[behind], next));
 }
 
 /// The text in lower case.

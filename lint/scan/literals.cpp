@@ -11,15 +11,6 @@
 namespace shadefit::lint {
 namespace {
 
-/// Without leading zeros.
-std::uint32_t count_significant(const Notation& number) {
-  std::uint32_t count = 0;
-  for (const std::string_view digits : {number.whole, number.fraction})
-    for (const char c : digits)
-      if (is_digit(c) && (c != '0' || count > 0)) ++count;
-  return count;
-}
-
 /// Whether # begins a comment here. In Python # begins one, but #define is a line of a shader.
 bool begins_hash_comment(std::string_view text, std::size_t at) {
   if (text[at] != '#') return false;
@@ -129,7 +120,7 @@ class LiteralReader {
     const bool is_version = peek(0) == '.' && is_digit(peek(1));
     while (peek(0) == '.' && is_digit(peek(1))) at_ = end_of_run(text_, at_ + 1, is_digit);
     const std::size_t length = at_ - first;
-    const std::uint32_t significant = count_significant(number);
+    const auto significant = static_cast<std::uint32_t>(significant_digits(number).size());
     if (is_suffix(number.suffix) && !is_version && significant > 0 && length <= most_digits)
       literals_.push_back(
           {first, length, significant, comment_ != '\0', digits_of(text_.substr(first, length))});
@@ -147,37 +138,22 @@ class LiteralReader {
 }  // namespace
 
 Digits digits_of(std::string_view number) {
-  Digits result;
-  int point = 0;
-  bool has_point = false;
-  std::size_t i = 0;
-  for (; i < number.size(); ++i) {
-    const char c = number[i];
-    if (c == '.') {
-      has_point = true;
-    } else if (is_digit(c)) {
-      if (c != '0' || !result.text.empty()) {
-        result.text += c;
-        if (!has_point) ++point;
-      } else if (has_point) {
-        --point;
-      }
-    } else if (c == 'e' || c == 'E') {
-      if (i + 1 < number.size() && number[i + 1] == '+') ++i;
-      int exponent = 0;
-      std::from_chars(number.data() + i + 1, number.data() + number.size(), exponent);
-      // No number of a source text has a larger exponent; a sum with it does not overflow.
-      point += std::clamp(exponent, -100'000, 100'000);
-      break;
-    } else if (is_letter(c)) {
-      break;
-    }
+  if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
+  const Notation parts = parts_of_number(number);
+  Digits result{.text = significant_digits(parts)};
+  if (result.text.empty()) return {};
+  int exponent = 0;
+  if (!parts.exponent.empty()) {
+    const std::string_view value = parts.exponent.substr(parts.exponent[1] == '+' ? 2 : 1);
+    std::from_chars(value.data(), value.data() + value.size(), exponent);
   }
-  while (!result.text.empty() && result.text.back() == '0') {
-    result.text.pop_back();
-    if (has_point) ++result.last_zeros;
-  }
-  result.exponent = result.text.empty() ? 0 : point;
+  // No number of a source text has a larger exponent; a sum with it does not overflow.
+  const auto behind = std::ranges::count_if(parts.fraction, is_digit);
+  result.exponent =
+      static_cast<int>(std::ssize(result.text) - behind) + std::clamp(exponent, -100'000, 100'000);
+  const std::size_t end = result.text.find_last_not_of('0') + 1;
+  if (parts.has_point) result.last_zeros = result.text.size() - end;
+  result.text.resize(end);
   return result;
 }
 

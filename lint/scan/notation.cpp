@@ -29,13 +29,6 @@ std::string_view leading_exponent(std::string_view text) {
   return text.substr(0, end > first ? end : 0);
 }
 
-/// All digits without leading zeros: as printed, with trailing zeros.
-std::string printed_digits(const Notation& number) {
-  std::string digits = fmt::format("{}{}", number.whole, number.fraction);
-  std::erase_if(digits, [](char c) { return !is_digit(c); });
-  return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-}
-
 /// The exponent in the style of another: its letter, its '+', and its leading zeros.
 std::string exponent_like(std::string_view style, int value) {
   const bool has_sign = style[1] == '-' || style[1] == '+';
@@ -53,7 +46,7 @@ std::string joined(const Notation& literal, std::string whole, std::string fract
 }
 
 std::string with_exponent(const Notation& literal, const Notation& to, std::string_view published) {
-  const std::string digits = printed_digits(to);
+  const std::string digits = significant_digits(to);
   const Digits mantissa = digits_of(fmt::format("{}.{}", literal.whole, literal.fraction));
   // The mantissa is 0.DIGITS times 10^point.
   const int point = mantissa.text.empty() ? 1 : mantissa.exponent;
@@ -66,6 +59,14 @@ std::string with_exponent(const Notation& literal, const Notation& to, std::stri
 }
 
 }  // namespace
+
+std::string significant_digits(const Notation& number) {
+  std::string digits;
+  for (const std::string_view part : {number.whole, number.fraction})
+    for (const char c : part)
+      if (is_digit(c) && (c != '0' || !digits.empty())) digits += c;
+  return digits;
+}
 
 bool is_suffix(std::string_view letters) {
   constexpr std::array<std::string_view, 14> known{"",    "f",   "F",   "h", "H", "l",  "L",

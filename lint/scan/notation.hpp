@@ -20,6 +20,9 @@ struct Notation {
 /// letters behind the digits as the suffix.
 Notation parts_of_number(std::string_view text);
 
+/// All digits without leading zeros: as printed, with trailing zeros.
+std::string significant_digits(const Notation& number);
+
 /// Whether these letters may follow a number: f, h, l, f32, f64. Any others make a word of it.
 bool is_suffix(std::string_view letters);
 

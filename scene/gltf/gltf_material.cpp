@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "approx/fresnel.hpp"
-#include "scene/gltf/gltf_extensions.hpp"
 #include "scene/materials/messages.hpp"
 #include "scene/materials/powers.hpp"
 #include "scene/materials/reflectances.hpp"

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "approx/exp2_polynomial.hpp"
 #include "approx/light_sum.hpp"
 #include "approx/phase.hpp"
 #include "bench/forms/catalogue.hpp"
@@ -49,14 +50,9 @@ TEST(Kernels, ServeTheWholeCatalogue) {
 template <class R>
 std::vector<R> run(Kernel<R> kernel, const std::array<std::vector<double>, 3>& in,
                    const std::vector<double>& given) {
-  std::array<std::vector<R>, 3> places;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const double x : in[i]) places[i].push_back(static_cast<R>(x));
-  }
-  std::vector<R> out(in[0].size()), parameters;
-  for (const double p : given) parameters.push_back(static_cast<R>(p));
-  kernel({{places[0].data(), places[1].data(), places[2].data()}, out.data(), out.size()}, parameters);
-  return out;
+  Inputs<R> places;
+  for (const std::vector<double>& axis : in) places.emplace_back(axis.begin(), axis.end());
+  return kernel(places, std::vector<R>(given.begin(), given.end()));
 }
 
 // Every kernel of a form is near the one in long double: to the polynomial's error, and the rounding of the

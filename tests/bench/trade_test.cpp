@@ -229,8 +229,8 @@ TEST(LargestError, IsInfiniteWhereAValueIsNoNumber) {
 
 TEST(MultiplyAdds, AreWhatTheirNameSays) {
   const Operations operations = count_operations(multiply_add_chain().result);
-  EXPECT_EQ(operations.multiply_add, forms::MultiplyAdds::count);
-  EXPECT_EQ(operations.total(), forms::MultiplyAdds::count);
+  EXPECT_EQ(operations.multiply_add, multiply_adds_of_chain);
+  EXPECT_EQ(operations.total(), multiply_adds_of_chain);
   // The sum of its coefficients is 1: a chain of them stays in [0, 1].
   EXPECT_EQ(evaluate<double>(multiply_add_chain().result, [](const std::string&) { return 1.0; }), 1);
 }
