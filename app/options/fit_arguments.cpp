@@ -44,7 +44,7 @@ Surface surface_for(const Family& family, const FitOptions& options) {
   const Surface surface{.formula = is_exact ? Surface::Formula::exact : Surface::Formula::schlick,
                         .ior = ior,
                         .extinction = extinction};
-  if (!(normal_reflectance<double>(surface) < 1))
+  if (!(normal_reflectance(surface) < 1))
     throw UserError(fmt::format(
         "--ior '{}' reflects all light at normal incidence, to the precision of a double: no reflectance is above f0",
         ior));

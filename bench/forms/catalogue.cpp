@@ -28,7 +28,7 @@ std::vector<Constants> published_of(const Family& family) {
   for (const Published* number : numbers_of(family)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
     Constants found{.id = "published-" + std::string(number->id), .numbers = {}};
-    for (const auto& [parameter, printed] : printed_parameters(family, *number))
+    for (const auto& [parameter, printed] : *number->curve)
       found.numbers.push_back(printed_number(parameter, printed));
     all.push_back(std::move(found));
   }

@@ -14,19 +14,6 @@
 #include "fit/support/hex_float.hpp"
 
 namespace shadefit {
-namespace {
-
-/// The starts of a family by the names of its parameters.
-std::vector<std::vector<Held>> starts_of(const Family& family, const Setting& setting) {
-  std::vector<std::vector<Held>> starts;
-  for (const std::vector<double>& point : family.starts_of(setting)) {
-    std::vector<Held>& start = starts.emplace_back();
-    for (std::size_t i = 0; i < point.size(); ++i) start.push_back({family.parameters[i], point[i]});
-  }
-  return starts;
-}
-
-}  // namespace
 
 std::optional<CosineRange> ends_of(const Family& family, const Setting& setting, const Domain& domain,
                                    Error error) {
@@ -73,7 +60,7 @@ Study study_of(const Family& family, const Setting& setting, const Metric& metri
   study.over = {{"c", hex_text(ends.second.cos_theta), hex_text(ends.first.cos_theta),
                  density_of(std::string(name(metric.measure)), "c")}};
   study.held = metric.constraints.held;
-  study.known_starts = starts_of(family, setting);
+  study.known_starts = family.starts_of(setting);
   if (metric.weight.empty()) return study;
   multiply_weight(study, metric.weight);
   return family.is_fresnel ? with_cuts(std::move(study)) : study;

@@ -54,9 +54,9 @@ struct Fit {
   std::string relative_to = {};
 };
 
-/// A form beside its target at one cosine. On an exact surface both are Fresnel weights f, F = f0 + (1-f0) f.
+/// A form at one cosine. On an exact surface it is a Fresnel weight f, F = f0 + (1-f0) f.
 struct CurvePoint {
-  double target, form;
+  double form;
   double error;                          ///< form - target; with a named surface that of F
   std::optional<double> relative_error;  ///< relative to `Fit::relative_to`; empty if it is not finite
 };
@@ -101,8 +101,8 @@ struct Family {
   std::function<CurvePoint(const Cosine<double>&)> curve_at(const Setting& setting,
                                                             std::span<const double> parameters) const;
 
-  /// The points from which a search starts.
-  std::vector<std::vector<double>> starts_of(const Setting& setting) const;
+  /// The points from which a search starts: a value of each parameter, in their order.
+  std::vector<std::vector<Held>> starts_of(const Setting& setting) const;
 };
 
 /// Why two errors of one curve are no answer: a root mean square is never above the largest magnitude, and

@@ -106,16 +106,14 @@ std::function<CurvePoint(const Cosine<double>&)> Family::curve_at(const Setting&
   const ReadStudy absolute = read_study(near_peak(asked)),
                   relative =
                       read_study(near_peak(study_of(*this, setting, {.error = Error::relative}, everywhere)));
-  const auto curves = std::make_shared<std::array<AtCosine, 4>>(std::array<AtCosine, 4>{
-      AtCosine(absolute, absolute.target, values), AtCosine(absolute, absolute.form, values),
-      AtCosine(absolute, error_formula(absolute), values),
+  const auto curves = std::make_shared<std::array<AtCosine, 3>>(std::array<AtCosine, 3>{
+      AtCosine(absolute, absolute.form, values), AtCosine(absolute, error_formula(absolute), values),
       AtCosine(relative, error_formula(relative), values)});
   return [variable = peak_variable(asked), curves](const Cosine<double>& cosine) {
     const double at = variable.value_at(cosine);
-    auto& [of_target, of_form, of_error, of_relative_error] = *curves;
+    auto& [of_form, of_error, of_relative_error] = *curves;
     const double share = of_relative_error(at);
-    return CurvePoint{of_target(at), of_form(at), of_error(at),
-                      std::isfinite(share) ? std::optional(share) : std::nullopt};
+    return CurvePoint{of_form(at), of_error(at), std::isfinite(share) ? std::optional(share) : std::nullopt};
   };
 }
 

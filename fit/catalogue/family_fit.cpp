@@ -75,18 +75,19 @@ std::string contradiction_of(double rms_error, double largest_error) {
          to_text(largest_error) + ": one of them is wrong";
 }
 
-std::vector<std::vector<double>> Family::starts_of(const Setting& setting) const {
+std::vector<std::vector<Held>> Family::starts_of(const Setting& setting) const {
   const Surface& surface = setting.surface;
   const bool is_inside = surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior;
   const auto value_of = [&](const std::string& name) {
     return name == "k" ? setting.exponent : 1 / half_weight_cosine(surface);
   };
-  std::vector<std::vector<double>> values;
+  std::vector<std::vector<Held>> points;
   for (const auto& start : is_inside && !starts_inside.empty() ? starts_inside : starts) {
-    values.emplace_back();
-    for (const Symbolic& formula : start) values.back().push_back(evaluate<double>(formula, value_of));
+    std::vector<Held>& point = points.emplace_back();
+    for (const Symbolic& formula : start)
+      point.push_back({parameters[point.size()], evaluate<double>(formula, value_of)});
   }
-  return values;
+  return points;
 }
 
 Fit Family::fit(const Setting& setting, const Metric& metric) const {

@@ -117,6 +117,20 @@ std::optional<StudyFit> fit_from_known_starts(const StudyObjective& objective, c
   return std::nullopt;
 }
 
+/// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
+/// value.
+StudyFit errors_of_given(ReadStudy study) {
+  take_limits(study);
+  cut_at_features(study);
+  std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
+  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
+  StudyFit given;
+  given.status = Status::converged;
+  given.rms_error = rms_error(study, StudyError(study), {});
+  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
+  return given;
+}
+
 /// The fit of a study whose variable is its own, and whose formulas are read.
 StudyFit fit_in_its_variable(const StudyObjective& objective, ReadStudy read, const Checkpoint& checkpoint) {
   if (read.parameters.empty()) return errors_of_given(std::move(read));
@@ -208,18 +222,6 @@ Study with_cuts(Study study) {
   cut_at_features(read);
   study.cuts = read.axes.front().cuts;
   return study;
-}
-
-StudyFit errors_of_given(ReadStudy study) {
-  take_limits(study);
-  cut_at_features(study);
-  std::ranges::copy(features_of_error(study, {}).cuts, std::back_inserter(study.axes.front().cuts));
-  require_values(study, nodes_of(study, edges_of(study), fit_rules.front()));
-  StudyFit given;
-  given.status = Status::converged;
-  given.rms_error = rms_error(study, StudyError(study), {});
-  given.max_abs_error = study.rows ? largest_residual(study, {}) : largest_error(study, {});
-  return given;
 }
 
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {

@@ -27,10 +27,6 @@ struct StudyObjective {
 /// may share them. Empty if enclosures do not explain them all, and for a study that has cuts or a peak.
 std::optional<std::vector<double>> cuts_of_target(const Study& study);
 
-/// The errors of a form without a free parameter: nothing is fitted. Throws UserError where the target has no
-/// value.
-StudyFit errors_of_given(ReadStudy study);
-
 /// The study with the cuts of its variable, for fits under many objectives. The error of such a fit is not
 /// looked at again.
 Study with_cuts(Study study);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "approx/records/record.hpp"
+#include "fit/catalogue/study_file.hpp"
 
 /// The published constants of the families, in studies/catalogue.
 namespace shadefit {
@@ -42,6 +43,7 @@ struct Published {
   Convention convention = {};
   Source source;
   std::span<const Variant> variants = {};
+  const PrintedValues* curve = nullptr;  ///< all that its source prints together, in the order of the family
 };
 
 /// All of them, in the order of the ledger.

@@ -75,6 +75,7 @@ class PublishedReader {
     const std::string id = reader_.required(table, "id"),
                       statement = reader_.optional(table, "statement", "best");
     const Source source = source_of(set.cite.value());
+    const PrintedValues& curve = into_.curves.emplace_back(set.values);
     for (const auto& [parameter, printed] : set.values) {
       Published number{
           .id = kept(set.values.size() == 1 ? id : id + "-" + parameter),
@@ -88,7 +89,8 @@ class PublishedReader {
                                              {"somewhere", Statement::fit_somewhere}}}),
           .exponents = kept(set.given.empty() ? reader_.optional(table, "sweep") : set.given.front().second),
           .source = source,
-          .variants = variants_of(set, parameter)};
+          .variants = variants_of(set, parameter),
+          .curve = &curve};
       if (const toml::node* convention = table.get("convention"))
         number.convention = convention_of(reader_.table(*convention, "convention"));
       into_.published.push_back(number);

@@ -14,6 +14,7 @@ struct Catalogue {
   std::vector<Published> published = {};  ///< one for each number
   std::deque<std::string> texts = {};     ///< what `published` points into
   std::deque<std::vector<Variant>> variants = {};
+  std::deque<PrintedValues> curves = {};
 };
 
 /// Reads the file of a study whose forms are families. Beside the keys of a study it has

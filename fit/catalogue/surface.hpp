@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <concepts>
 #include <optional>
 
 #include "approx/fresnel.hpp"
-#include "fit/scalars/jet.hpp"
+#include "approx/scalar.hpp"
 
 /// The target of a Fresnel form: Schlick's formula or the exact one, with or without a named surface.
 namespace shadefit {
@@ -39,39 +38,23 @@ constexpr Surface schlick_surface(double ior, double extinction = 0) {
   return {Surface::Formula::schlick, ior, extinction, std::nullopt};
 }
 
-/// The `reference_f0`. Its text is parsed once.
-template <class T>
-T reference_reflectance() {
-  if constexpr (std::floating_point<T>) {
-    static const T value = constant<T>(reference_f0);
-    return value;
-  } else if constexpr (requires { typename T::Scalar; }) {
-    return T(reference_reflectance<typename T::Scalar>());
-  } else {
-    return constant<T>(reference_f0);
-  }
-}
-
 /// The reflectance at normal incidence; without a named surface, `f0`.
-template <class T>
-T normal_reflectance(const Surface& surface) {
-  if (!surface.is_named()) return surface.f0 ? lift<T>(*surface.f0) : reference_reflectance<T>();
-  if (surface.extinction == 0) return reflectance_at_normal(lift<T>(surface.ior));
-  return conductor_reflectance_at_normal(lift<T>(surface.ior), lift<T>(surface.extinction));
+inline double normal_reflectance(const Surface& surface) {
+  if (!surface.is_named()) return surface.f0 ? *surface.f0 : constant<double>(reference_f0);
+  if (surface.extinction == 0) return reflectance_at_normal(surface.ior);
+  return conductor_reflectance_at_normal(surface.ior, surface.extinction);
 }
 
 /// The exact reflectance of a named surface at the cosine c.
-template <class T>
-T exact_reflectance(const Surface& surface, const T& cos_theta) {
-  if (surface.extinction == 0) return dielectric_reflectance(cos_theta, lift<T>(surface.ior));
-  return conductor_reflectance(cos_theta, lift<T>(surface.ior), lift<T>(surface.extinction));
+inline double exact_reflectance(const Surface& surface, double cos_theta) {
+  if (surface.extinction == 0) return dielectric_reflectance(cos_theta, surface.ior);
+  return conductor_reflectance(cos_theta, surface.ior, surface.extinction);
 }
 
 /// The weight of the reflectance between f0 and 1 at the cosine c: (F - f0)/(1 - f0).
-template <class T>
-T target_weight(const Surface& surface, const T& cos_theta) {
+inline double target_weight(const Surface& surface, double cos_theta) {
   if (!surface.is_exact()) return schlick_weight(cos_theta);
-  return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance<T>(surface));
+  return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance(surface));
 }
 
 /// The scale of the target: the cosine at which its weight first falls to one half, on the way from grazing

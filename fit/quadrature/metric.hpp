@@ -129,10 +129,10 @@ constexpr std::string_view name(Course course) {
 }
 
 /// The constraints as a reader names them, each after a comma: ", b = -7, form <= 1".
-inline std::string describe(const Constraints& constraints) {
+inline std::string describe(const Constraints& constraints, const std::string& variable = "c") {
   std::string text;
   for (const Held& held : constraints.held) text += ", " + held.parameter + " = " + to_text(held.value);
-  for (const double c : constraints.exact_at) text += ", exact at c = " + to_text(c);
+  for (const double c : constraints.exact_at) text += ", exact at " + variable + " = " + to_text(c);
   if (constraints.one_sided)
     text += *constraints.one_sided == Side::above ? ", form >= target" : ", form <= target";
   if (constraints.at_most) text += ", form <= " + to_text(*constraints.at_most);

@@ -18,12 +18,10 @@ namespace {
 PublishedSet set_of(const Family& family, const Published& number) {
   PublishedSet set{
       .form = family.id,
-      .values = {},
+      .values = *number.curve,
       .source = fmt::format("{} {}, {}", number.source.author, number.source.year, number.source.title)};
   set.is_stated_fit = number.statement == Statement::best_fit;
   if (family.has_exponent()) set.given = {{"k", std::string(number.exponents)}};
-  for (const auto& [parameter, printed] : printed_parameters(family, number))
-    set.values.emplace_back(parameter, printed);
   return set;
 }
 
@@ -39,17 +37,12 @@ void add_sets(StudyFile& file, const Family& family, const Rule& is_wanted) {
 /// The points from which the form is fitted. Those of a lobe are formulas of k.
 std::vector<PrintedValues> starts_of(const Family& family, const Surface& surface) {
   std::vector<PrintedValues> starts;
-  const auto add = [&](const auto& points) {
-    for (const auto& point : points) {
-      PrintedValues& start = starts.emplace_back();
-      for (std::size_t i = 0; i < point.size(); ++i)
-        start.emplace_back(family.parameters[i], to_text(point[i]));
-    }
-  };
-  if (family.has_exponent()) {
-    add(family.starts);
-  } else {
-    add(family.starts_of({0, surface}));
+  for (const std::vector<Held>& point : family.starts_of({0, surface})) {
+    PrintedValues& start = starts.emplace_back();
+    for (const Held& value : point)
+      start.emplace_back(value.parameter, family.has_exponent()
+                                              ? to_text(family.starts[starts.size() - 1][start.size()])
+                                              : to_text(value.value));
   }
   return starts;
 }
@@ -103,8 +96,7 @@ void take_rivals(StudyFile& file, const Family& family, const Published* publish
   file.published.clear();
   // A curve of several numbers has the ids of all.
   const auto is_another = [&](const Published& number) {
-    return published == nullptr || number.family != published->family ||
-           printed_parameters(family, number) != printed_parameters(family, *published);
+    return published == nullptr || number.family != published->family || *number.curve != *published->curve;
   };
   const auto add = [&](const Family& rival) {
     file.forms.push_back(form_of(rival, surface));

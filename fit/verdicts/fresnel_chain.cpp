@@ -25,7 +25,7 @@ ReflectanceError reflectance_error(const Surface& surface, const std::string& fo
     const StudyExtremum top = largest_error(weighted_error_of(under), edges, parameters);
     return Extremum{top.magnitude, {top.at.front(), 1 - top.at.front()}};
   };
-  const auto f0 = normal_reflectance<double>(surface);
+  const auto f0 = normal_reflectance(surface);
   TapeProgram<double> form_at(tape_of(study.form, formula_inputs(study)), parameters),
       target_at(tape_of(study.target, formula_inputs(study)), parameters);
   const auto code_of = [&](TapeProgram<double>& weight, double c) {
@@ -43,8 +43,7 @@ FresnelLink link(const OpticalConstants& constants, const Family* family, std::s
                  const std::vector<double>& parameters, Status status) {
   const double ior = constant<double>(constants.ior), extinction = constant<double>(constants.extinction);
   const Surface exact = exact_surface(ior, extinction);
-  FresnelLink result{&constants, normal_reflectance<double>(exact), family, published, parameters, status, {},
-                     {}};
+  FresnelLink result{&constants, normal_reflectance(exact), family, published, parameters, status, {}, {}};
   if (status != Status::converged) return result;
   if (family == nullptr) {
     result.from_exact = reflectance_error(exact, "schlick_weight(c)");
@@ -64,8 +63,9 @@ void append_links(std::vector<FresnelLink>& chain, const OpticalConstants& const
     for (const Published* number : numbers_of(*family)) {
       // a curve of several parameters is named by its first
       if (number->parameter != family->parameters.front()) continue;
-      chain.push_back(
-          link(constants, family, number->id, published_parameters(*family, *number), Status::converged));
+      std::vector<double> values;
+      for (const auto& value : *number->curve) values.push_back(constant<double>(value.second));
+      chain.push_back(link(constants, family, number->id, values, Status::converged));
     }
     const Fit fit = family->fit({0, exact}, {});
     chain.push_back(link(constants, family, "", fit.parameters, fit.status));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "fit/catalogue/family.hpp"
@@ -52,32 +51,6 @@ std::vector<const Published*> numbers_of(const Family& family) {
     if (published.family == family.id) numbers.push_back(&published);
   }
   return numbers;
-}
-
-std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const Family& family,
-                                                                              const Published& published) {
-  std::vector<std::pair<std::string_view, std::string_view>> parameters;
-  for (const std::string_view parameter : family.parameters) {
-    if (parameter == published.parameter) {
-      parameters.emplace_back(parameter, published.printed);
-      continue;
-    }
-    const auto found = std::ranges::find_if(published_constants(), [&](const Published& other) {
-      return other.family == published.family && other.parameter == parameter &&
-             other.source.place == published.source.place && other.statement == published.statement &&
-             other.convention.name == published.convention.name;
-    });
-    if (found == published_constants().end()) throw std::logic_error("a published curve lacks a parameter");
-    parameters.emplace_back(parameter, found->printed);
-  }
-  return parameters;
-}
-
-std::vector<double> published_parameters(const Family& family, const Published& published) {
-  std::vector<double> values;
-  for (const auto& parameter : printed_parameters(family, published))
-    values.push_back(constant<double>(parameter.second));
-  return values;
 }
 
 const Fit& FitCache::at(const Setting& setting, const Metric& metric) {

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,14 +19,6 @@ namespace shadefit {
 
 /// Every number published for the family.
 std::vector<const Published*> numbers_of(const Family& family);
-
-/// The names and digits of the parameters of the published curve that has this number: all that the same
-/// source prints together, in the order of the family's names.
-std::vector<std::pair<std::string_view, std::string_view>> printed_parameters(const Family& family,
-                                                                              const Published& published);
-
-/// The same as numbers.
-std::vector<double> published_parameters(const Family& family, const Published& published);
 
 /// The exponents for which a number is right that was published without its exponent.
 struct ExponentRange {

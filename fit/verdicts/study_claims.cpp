@@ -109,12 +109,9 @@ JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::
   } catch (const UserError&) {
     return judged;
   }
-  const long off = units_off(claim.printed, judged.computed);
-  if (off == 0 || judged.computed <= constant<double>(claim.printed)) {
-    judged.verdict = Verdict::confirmed;
-  } else if (off == 1) {
-    judged.verdict = Verdict::rounding;
-  }
+  judged.verdict = judged.computed <= constant<double>(claim.printed)
+                       ? Verdict::confirmed
+                       : judge(claim.printed, {"", judged.computed}, {}).verdict;
   return judged;
 }
 

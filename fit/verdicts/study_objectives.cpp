@@ -268,14 +268,7 @@ bool is_exact_at(const ReadStudy& study, const std::vector<std::string>& printed
 StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints) {
   StudyObjective objective{norm == Norm::minimax ? "minimax" : "least squares", study, norm, constraints};
   if (study.error == Error::relative) objective.words += ", relative error";
-  const std::string& variable = study.over.front().variable;
-  for (const double x : constraints.exact_at)
-    objective.words += ", exact at " + variable + " = " + to_text(x);
-  if (constraints.one_sided)
-    objective.words += *constraints.one_sided == Side::above ? ", form >= target" : ", form <= target";
-  if (constraints.at_most) objective.words += ", form <= " + to_text(*constraints.at_most);
-  if (constraints.at_least) objective.words += ", form >= " + to_text(*constraints.at_least);
-  if (constraints.monotone) objective.words += ", form " + std::string(name(*constraints.monotone));
+  objective.words += describe(constraints, study.over.front().variable);
   return objective;
 }
 

@@ -142,7 +142,7 @@ TEST(Rivals, SchlickIsAContenderOnASurface) {
 TEST(Rivals, TheRmsOfSchlickIsThatOfASum) {
   for (const Surface& surface : {exact_surface(1.5), exact_surface(0.43, 2.455), exact_surface(0.75)}) {
     constexpr int n = 200000;
-    const double f0 = normal_reflectance<double>(surface);
+    const double f0 = normal_reflectance(surface);
     double sum = 0;
     for (int i = 0; i < n; ++i) {
       const double c = (i + 0.5) / n;

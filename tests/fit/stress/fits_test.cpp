@@ -27,7 +27,7 @@ TEST(FitsUnderStress, DoNotDependOnTheirStarts) {
     for (int fit = 0; fit < 12; ++fit) {
       std::vector<double> start;
       for (std::size_t i = 0; i < own.parameters.size(); ++i) {
-        const auto [low, high] = std::minmax({box[0][i], box[1][i], box[2][i]});
+        const auto [low, high] = std::minmax({box[0][i].value, box[1][i].value, box[2][i].value});
         start.push_back((low + high) / 2 + 2 * (high - low) * sequence.between(-1, 1));
       }
       const StudyFit found = study.fit(start);
