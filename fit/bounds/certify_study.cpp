@@ -126,13 +126,6 @@ class LargestStudyError {
   std::vector<double> attained_;
 };
 
-std::string place_text(const ReadStudy& study, const std::vector<double>& place) {
-  std::string text;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    text += (i == 0 ? "" : ", ") + study.axes[i].variable + " = " + to_text(place[i]);
-  return text;
-}
-
 }  // namespace
 
 double usual_study_width(std::size_t variables) {
@@ -147,9 +140,7 @@ CertifiedStudy certify_study(const StudySubject& subject, double width, const Ch
                     decimal(least_width, 6) + ", what an enclosure by doubles can say, and less than 1");
   if (const std::string fault = fault_of(subject); !fault.empty()) throw UserError(fault);
   const ReadStudy study = read_formulas(subject.study);
-  std::vector<Interval> parameters;
-  for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
-  EnclosedError error(without_equal_terms(study, subject.parameters), parameters,
+  EnclosedError error(without_equal_terms(study, subject.parameters), enclosed_constants(subject.parameters),
                       known != nullptr ? *known : KnownIntegrals{});
   LargestStudyError largest(error);
   CertifiedStudy result;
@@ -159,7 +150,7 @@ CertifiedStudy certify_study(const StudySubject& subject, double width, const Ch
   if (!std::isfinite(largest.upper()))
     throw CheckFailed(
         "no double was proven to bound the largest error: the formulas have no finite bound near " +
-        place_text(study, largest.worst_place()));
+        to_text(study.axes, largest.worst_place()));
   const auto ranges = error.ranges();
   result.certificate = {.subject = subject,
                         .ranges = {ranges.begin(), ranges.end()},

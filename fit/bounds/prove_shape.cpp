@@ -43,9 +43,7 @@ struct FormInputs {
 std::vector<Interval> parameters_of(const StudySubject& subject, const ReadStudy& study) {
   const std::string fault = fault_of_constants(subject.parameters, study.parameters, "the form");
   if (!fault.empty()) throw UserError(fault);
-  std::vector<Interval> parameters;
-  for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
-  return parameters;
+  return enclosed_constants(subject.parameters);
 }
 
 FormInputs inputs_of_form(const StudySubject& subject, const ReadStudy& study) {

@@ -18,8 +18,8 @@ namespace {
 template <class Format>
 std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants) {
   std::vector<RunningNarrow<Format>> rounded;
-  for (const auto& [name, text] : constants)
-    rounded.push_back(RunningNarrow<Format>::rounded_number(enclosed_constant(text).value()));
+  for (const Interval& value : enclosed_constants(constants))
+    rounded.push_back(RunningNarrow<Format>::rounded_number(value));
   return rounded;
 }
 

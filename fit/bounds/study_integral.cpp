@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "fit/bounds/jumps.hpp"
 #include "fit/formula/tape_program.hpp"
 #include "fit/proof/interval_ends.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/scalars/taylor.hpp"
 #include "fit/support/memory.hpp"
 
@@ -208,10 +208,8 @@ Interval StudyIntegral::curvature(std::span<const Interval> variables) {
 
 std::shared_ptr<StudyIntegral> KnownIntegrals::of(const ReadStudy& study, const Symbolic& integral,
                                                   std::span<const Interval> parameters) {
-  const std::set<std::string> names = free_variables(integral);
-  const bool has_parameters =
-      std::ranges::any_of(study.parameters, [&](const std::string& name) { return names.contains(name); });
-  if (has_parameters) return std::make_shared<StudyIntegral>(study, integral, parameters);
+  if (contains_any(integral, study.parameters))
+    return std::make_shared<StudyIntegral>(study, integral, parameters);
   std::shared_ptr<StudyIntegral>& known = (*known_)[to_text(integral)];
   if (known == nullptr) {
     ReadStudy plain = study;

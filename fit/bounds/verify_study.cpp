@@ -97,10 +97,8 @@ std::string reason_to_refuse(const StudyCertificate& certificate, const ShareDon
   const ReadStudy study = read_formulas(certificate.subject.study);
   if (std::string reason = check_ranges(certificate, study); !reason.empty()) return reason;
   if (std::string fault = fault_of_bounds(certificate); !fault.empty()) return fault;
-  std::vector<Interval> parameters;
-  for (const auto& [name, text] : certificate.subject.parameters)
-    parameters.push_back(enclosed_constant(text).value());
-  EnclosedError error(without_equal_terms(study, certificate.subject.parameters), parameters);
+  const Constants& constants = certificate.subject.parameters;
+  EnclosedError error(without_equal_terms(study, constants), enclosed_constants(constants));
   if (std::string reason = check_attained(certificate, error); !reason.empty()) return reason;
   return check_boxes(certificate, study, error, done);
 }

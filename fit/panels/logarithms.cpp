@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 
 #include "fit/quadrature/gauss.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 
@@ -20,9 +20,7 @@ std::optional<Symbolic> logarithm(const Symbolic& e, const std::vector<std::stri
   const auto log_of_part = [&](std::size_t i) { return logarithm(e.part(i), parameters); };
   const auto log_of_base = [&]() -> std::optional<Symbolic> {
     if (auto log = log_of_part(0)) return log;
-    const std::set<std::string> names = free_variables(e.part(0));
-    if (std::ranges::any_of(parameters, [&](const auto& name) { return names.contains(name); }))
-      return std::nullopt;
+    if (contains_any(e.part(0), parameters)) return std::nullopt;
     return Symbolic::function("log", {Symbolic::function("abs", {e.part(0)})});
   };
   switch (e.kind()) {

@@ -117,12 +117,9 @@ class StudyPoles {
   explicit StudyPoles(const ReadStudy& study) {
     if (study.axes.size() > 1) return;
     ends_ = {study.axes.front().lower, study.axes.front().upper};
-    for (const Hinge& hinge : hinges_of(study.form)) {
-      const auto names = free_variables(hinge.part);
-      const bool is_moved =
-          std::ranges::any_of(study.parameters, [&](const auto& name) { return names.contains(name); });
-      if (hinge.is_pole && is_moved && hinges_of(hinge.part).empty())
-        denominators_.push_back(TapeProgram<Bounds>(tape_of(hinge.part, formula_inputs(study)), {}));
+    for (const Symbolic& pole : moving_poles(study)) {
+      if (hinges_of(pole).empty())
+        denominators_.push_back(TapeProgram<Bounds>(tape_of(pole, formula_inputs(study)), {}));
     }
   }
 

@@ -94,6 +94,11 @@ std::set<std::string> free_variables(const Symbolic& e) {
   return names;
 }
 
+bool contains_any(const Symbolic& formula, const std::vector<std::string>& names) {
+  const std::set<std::string> variables = free_variables(formula);
+  return std::ranges::any_of(names, [&](const std::string& name) { return variables.contains(name); });
+}
+
 int integral_depth(const Symbolic& e) {
   int depth = 0;
   for (const Symbolic& part : e.parts()) depth = std::max(depth, integral_depth(part));

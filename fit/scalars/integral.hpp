@@ -32,6 +32,9 @@ Symbolic summed(const Symbolic& integral, IntegralRule rule);
 /// The variables of a formula, without those that its integrals run over.
 std::set<std::string> free_variables(const Symbolic& formula);
 
+/// Whether one of these names is a free variable of a formula.
+bool contains_any(const Symbolic& formula, const std::vector<std::string>& names);
+
 /// How many integrals are inside one another; 0 for a formula without one. An albedo is a double integral.
 int integral_depth(const Symbolic& formula);
 

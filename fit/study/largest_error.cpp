@@ -4,20 +4,16 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <span>
 #include <utility>
 
 #include "fit/formula/batch.hpp"
 #include "fit/formula/tape_program.hpp"
-#include "fit/scalars/hinges.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/support/top.hpp"
 
 namespace shadefit {
 namespace {
-
-/// Magnitudes of the error that differ by a smaller share are equal, up to rounding.
-constexpr double rounding_share = 1e-12;
 
 /// Places on one axis: between neighbouring edges the extrema of a Chebyshev polynomial, which are dense at
 /// both edges. With `has_ends` they go on towards each edge in powers of two: a root or a logarithm there may
@@ -77,54 +73,23 @@ class Magnitude {
   TapeProgram<double> curve_;
 };
 
-/// Returns the vertex of the parabola through the values at a place and one step beside it. Returns the place
-/// if they show no top. A bracket is about a 200th of the range, so a step is 1e-5 of it: there the rounding
-/// of the values, eps/step, moves the vertex as little as the cubic term, step^2.
-template <class Value>
-double vertex_beside(const Value& value, double place, const std::array<double, 2>& around) {
-  constexpr double share = 2e-3;
-  const double step = share * (around[1] - around[0]), middle = value(place), left = value(place - step),
-               right = value(place + step), bend = left - 2 * middle + right;
-  const double vertex = place + step / 2 * (left - right) / bend;
-  const bool is_top =
-      bend < 0 && std::abs(vertex - place) < step && around[0] <= vertex && vertex <= around[1];
-  return is_top && value(vertex) >= middle * (1 - rounding_share) ? vertex : place;
-}
-
 /// Moves a place to the top of its hill, one variable after the other, by golden-section search between its
 /// neighbours on the grid.
 StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
                       const std::vector<std::array<double, 2>>& around) {
-  constexpr double golden = 0.6180339887498949;
   // A ridge across the axes takes many passes.
   constexpr int most_passes = 40;
   for (int pass = 0; pass < (around.size() == 1 ? 1 : most_passes); ++pass) {
     const double before = best.magnitude;
     for (std::size_t axis = 0; axis < around.size(); ++axis) {
-      auto [low, high] = around[axis];
       std::vector<double> at = best.at;
       const auto value = [&](double x) {
         at[axis] = x;
         return magnitude(at);
       };
-      double left = high - golden * (high - low), right = low + golden * (high - low);
-      double at_left = value(left), at_right = value(right);
-      for (int i = 0; i < 60; ++i) {
-        if (at_left < at_right) {
-          low = left;
-          left = right;
-          at_left = at_right;
-          at_right = value(right = low + golden * (high - low));
-        } else {
-          high = right;
-          right = left;
-          at_right = at_left;
-          at_left = value(left = high - golden * (high - low));
-        }
-      }
-      const double top = vertex_beside(value, low + (high - low) / 2, around[axis]);
+      const double top = top_between(value, around[axis][0], around[axis][1]);
       // Without a gain the place of the grid, perhaps an end, is the better answer.
-      if (const double found = value(top); found > best.magnitude * (1 + rounding_share)) {
+      if (const double found = value(top); found > best.magnitude * (1 + rounding_of_values)) {
         best.magnitude = found;
         best.at[axis] = top;
       }
@@ -153,7 +118,7 @@ class Grid {
     largest_ = static_cast<std::size_t>(std::max_element(values_.begin(), values_.end()) - values_.begin());
     // Of places that differ by rounding an end is the better answer.
     for (const std::size_t end : {size - 1, std::size_t{0}}) {
-      if (values_[end] >= values_[largest_] * (1 - rounding_share)) largest_ = end;
+      if (values_[end] >= values_[largest_] * (1 - rounding_of_values)) largest_ = end;
     }
   }
 
@@ -250,7 +215,7 @@ bool is_rounding(const ReadStudy& study, const std::vector<std::vector<StudyEdge
   double largest = 0;
   for (const StudyExtremum& top : tops_of_error(target, edges, parameters, 1))
     largest = std::max(largest, top.magnitude);
-  return error.magnitude < rounding_share * largest;
+  return error.magnitude < rounding_of_values * largest;
 }
 
 }  // namespace
@@ -268,7 +233,7 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
   StudyExtremum best;
   for (const StudyExtremum& top : tops_of_error(study, edges, parameters, 1)) {
     if (best.at.empty() || top.magnitude > best.magnitude * (1 + equal) ||
-        (top.magnitude >= best.magnitude * (1 - rounding_share) &&
+        (top.magnitude >= best.magnitude * (1 - rounding_of_values) &&
          is_end_beside(top.at.front(), best.at.front())))
       best = top;
   }
@@ -278,19 +243,8 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
   return none;
 }
 
-std::vector<Symbolic> moving_poles(const ReadStudy& study) {
-  std::vector<Symbolic> poles;
-  if (study.rows || study.axes.size() > 1) return poles;
-  for (const Hinge& hinge : hinges_of(study.form)) {
-    const std::set<std::string> names = free_variables(hinge.part);
-    if (hinge.is_pole &&
-        std::ranges::any_of(study.parameters, [&](const std::string& name) { return names.contains(name); }))
-      poles.push_back(hinge.part);
-  }
-  return poles;
-}
-
 std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>& parameters) {
+  if (study.rows || study.axes.size() > 1) return std::nullopt;
   for (const Symbolic& pole : moving_poles(study)) {
     const StudyAxis& axis = study.axes.front();
     for (const double place : zeros_of(at_parameters(study, pole, parameters), axis))

@@ -31,10 +31,7 @@ std::vector<StudyExtremum> tops_of(const Tape& curve, std::optional<double> grou
 /// target is 0.
 ReadStudy weighted_error_of(const ReadStudy& study);
 
-/// The denominators of the form that contain a parameter, where it has one variable.
-std::vector<Symbolic> moving_poles(const ReadStudy& study);
-
-/// A zero of one of them inside the range of the only variable. A pole between two places of a
+/// A zero of one of the `moving_poles` inside the range of the only variable. A pole between two places of a
 /// search or two nodes of a fit has no width, and nodes do not reach the ends.
 std::optional<double> pole_of(const ReadStudy& study, const std::vector<double>& parameters);
 

@@ -322,6 +322,13 @@ std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes) {
   return variables;
 }
 
+std::string to_text(const std::vector<StudyAxis>& axes, const std::vector<double>& place) {
+  std::string text;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    text += (i == 0 ? "" : ", ") + axes[i].variable + " = " + to_text(place[i]);
+  return text;
+}
+
 std::vector<std::string> node_variables(const ReadStudy& study) {
   std::vector<std::string> names = variables_of(study.axes);
   if (study.rows) names.emplace_back("value");

@@ -21,11 +21,9 @@ std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_
   if (study.rows)
     return "line " + std::to_string(line_of_row(*study.rows, node + 1)) + " of '" +
            study.rows->file.unescaped() + "'";
-  std::string place;
-  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
-    place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " +
-             to_text(static_cast<double>(nodes.coordinates[axis][node]));
-  return place;
+  std::vector<double> place;
+  for (const auto& coordinate : nodes.coordinates) place.push_back(static_cast<double>(coordinate[node]));
+  return to_text(study.axes, place);
 }
 
 /// The first node whose value fails the check, as text. Empty if all values pass.

@@ -109,6 +109,9 @@ ReadStudy with_held(ReadStudy study, const std::string& parameter, double value)
 /// The variables of axes.
 std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes);
 
+/// "x = 0.5, y = 1": a place, to its shortest round trip.
+std::string to_text(const std::vector<StudyAxis>& axes, const std::vector<double>& place);
+
 /// The variables of the formulas of a study at a node: those of the axes, and with rows `value` and, where
 /// the rows have it, `sigma`. Everything else is a parameter.
 std::vector<std::string> node_variables(const ReadStudy& study);

@@ -349,6 +349,13 @@ std::vector<StudyEdge> KnownZeros::of(const Of& hinge, const std::function<std::
   return found_.emplace(hinge, zeros).first->second;
 }
 
+std::vector<Symbolic> moving_poles(const ReadStudy& study) {
+  std::vector<Symbolic> poles;
+  for (const Hinge& hinge : hinges_of(study.form))
+    if (hinge.is_pole && contains_any(hinge.part, study.parameters)) poles.push_back(hinge.part);
+  return poles;
+}
+
 std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> edges,
                                   const std::vector<Symbolic>& formulas) {
   for (const Symbolic& formula : formulas)

@@ -46,6 +46,8 @@ std::vector<StudyEdge> with_sides(const std::vector<StudyEdge>& edges);
 
 /// The parts of the form at whose zeros it has a kink that parameters move: a x - b of max(a x, b).
 std::vector<Symbolic> moving_kinks(const ReadStudy& study);
+/// The denominators of the form, and the operands of its logarithms, that contain a parameter.
+std::vector<Symbolic> moving_poles(const ReadStudy& study);
 
 /// The edges of an axis and the zeros of formulas of its variable alone.
 std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> edges,

@@ -4,17 +4,11 @@
 #include <span>
 #include <utility>
 
-#include "fit/scalars/hinges.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study_nodes.hpp"
 
 namespace shadefit {
 namespace {
-
-bool contains_any(const Symbolic& e, const std::vector<std::string>& names) {
-  const auto variables = free_variables(e);
-  return std::ranges::any_of(names, [&](const auto& name) { return variables.contains(name); });
-}
 
 /// The parameters in which the error is linear together: in their order, each one that keeps it linear.
 std::vector<bool> linear_ones(Graph& graph, std::span<const int> slopes, std::size_t first) {
@@ -77,10 +71,8 @@ StudyError::StudyError(const ReadStudy& study, IntegralRule rule)
   }
   for (const int slope : slopes) is_open_.push_back(graph.is_zero(slope));
   target_.emplace(graph, std::vector{graph.add(scale_formula(study))}, variables);
-  for (const Hinge& hinge : hinges_of(study.form)) {
-    if (hinge.is_pole && contains_any(hinge.part, study.parameters))
-      denominators_.emplace_back(graph, std::vector{graph.add(hinge.part)}, variables);
-  }
+  for (const Symbolic& pole : moving_poles(study))
+    denominators_.emplace_back(graph, std::vector{graph.add(pole)}, variables);
 }
 
 }  // namespace shadefit
