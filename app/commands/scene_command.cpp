@@ -8,7 +8,6 @@
 #include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/scene_code.hpp"
-#include "reports/code/scene_features.hpp"
 #include "reports/code/scene_plan.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/joined.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <functional>
 
 #include "approx/fresnel.hpp"
 #include "approx/records/optical_constants.hpp"
@@ -14,37 +15,25 @@
 namespace shadefit {
 namespace {
 
-/// A published curve of c: its column, its label and its line style.
-struct Form {
-  std::string column;
-  std::string label;
-  Look look;
-  double (*weight)(double cos_theta);
-};
-
-double schlick(double c) {
-  return schlick_weight(c);
-}
-
 double dielectric(double c) {
   return target_weight(exact_surface(constant<double>(glass.ior)), c);
 }
 
-Form schlick_form(Look look) {
-  return {"schlick", "Schlick, (1 − c)^5", look, &schlick};
+DrawnCurve schlick(Look look) {
+  return {{"schlick", "Schlick, (1 − c)^5", look}, schlick_weight<double>};
 }
 
 /// The approximations by one exp2.
-std::vector<Form> exp2_forms() {
+std::vector<DrawnCurve> exp2_forms() {
   const std::string sharpness = printed("fresnel-one-term"), other = printed("fresnel-offset-one");
   const std::string a = typeset(printed("fresnel-quadratic-a"));
   const std::string b = printed("fresnel-quadratic-b");
   const std::string sum = b.starts_with('-') ? "− " + b.substr(1) : "+ " + b;
-  return {{"one_term_" + sharpness, fmt::format("exp2(−{} c)", sharpness), Look::first,
+  return {{{"one_term_" + sharpness, fmt::format("exp2(−{} c)", sharpness), Look::first},
            [](double c) { return fresnel_one_term(c, constant<double>(printed("fresnel-one-term"))); }},
-          {"one_term_" + other, fmt::format("exp2(−{} c)", other), Look::third,
+          {{"one_term_" + other, fmt::format("exp2(−{} c)", other), Look::third},
            [](double c) { return fresnel_one_term(c, constant<double>(printed("fresnel-offset-one"))); }},
-          {"quadratic", fmt::format("exp2(({} c {}) c)", a, sum), Look::second, [](double c) {
+          {{"quadratic", fmt::format("exp2(({} c {}) c)", a, sum), Look::second}, [](double c) {
              return fresnel_quadratic(c, constant<double>(printed("fresnel-quadratic-a")),
                                       constant<double>(printed("fresnel-quadratic-b")));
            }}};
@@ -65,110 +54,84 @@ Panel panel_over_cosine(std::vector<Curve> curves, const std::string& settings) 
           .curves = std::move(curves)};
 }
 
-Table weight_table(const std::vector<Form>& forms) {
-  Table table{{"cosine"}};
-  for (const Form& form : forms) table.columns.push_back(form.column);
-  for (int i = 0; i <= plot_steps; ++i) {
-    const double c = static_cast<double>(i) / plot_steps;
-    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(c)});
-    for (const Form& form : forms) row.push_back(plotted(form.weight(c)));
-  }
+Table table_over_cosine(const std::vector<DrawnCurve>& curves) {
+  Table table = table_for({"cosine"}, curves);
+  append_rows(table, {}, curves, even_places(0, 1));
   return table;
 }
 
 Figure weights(std::string_view family) {
-  std::vector<Form> forms{schlick_form(Look::target)};
-  for (const Form& form : exp2_forms()) forms.push_back(form);
+  std::vector<DrawnCurve> forms = exp2_forms();
+  forms.insert(forms.begin(), schlick(Look::target));
   forms.push_back(
-      {"dielectric", fmt::format("exact dielectric, n = {}", glass.ior), Look::fourth, &dielectric});
-  std::vector<Curve> curves;
-  for (const Form& form : forms) curves.push_back({form.column, form.label, form.look});
-  Panel linear = panel_over_cosine(curves, "set yrange [0:1]\n");
+      {{"dielectric", fmt::format("exact dielectric, n = {}", glass.ior), Look::fourth}, dielectric});
+  Panel linear = panel_over_cosine(curves_of(forms), "set yrange [0:1]\n");
   linear.title = "linear scale";
   linear.y_label = "weight f";
   Panel logarithmic =
-      panel_over_cosine(curves, "set logscale y\nset yrange [1e-5:1]\nset format y '10^{%T}'\n");
+      panel_over_cosine(curves_of(forms), "set logscale y\nset yrange [1e-5:1]\nset format y '10^{%T}'\n");
   logarithmic.title = "logarithmic scale";
   const Plot plot{.name = "fresnel",
                   .about = "Schlick's Fresnel weight f, its approximations and the exact dielectric.",
                   .columns = 2,
                   .panel_height = 330,
                   .panels = {linear, logarithmic}};
-  return {plot.name, family,
-          fmt::format("Schlick's weight, its approximations by one exp2, and the weight that the exact "
-                      "dielectric of index {} has in its place; on the logarithmic scale it shows what each "
-                      "leaves at normal incidence, where the weight is 0.",
-                      glass.ior),
-          weight_table(forms), write_script(plot)};
+  return figure_of(
+      plot, family,
+      fmt::format("Schlick's weight, its approximations by one exp2, and the weight that the exact "
+                  "dielectric of index {} has in its place; on the logarithmic scale it shows what each "
+                  "leaves at normal incidence, where the weight is 0.",
+                  glass.ior),
+      table_over_cosine(forms));
 }
 
-/// Against one reference: absolute error of F and its error relative to the reference's F, by column.
-struct ErrorsAgainst {
-  std::string reference;
-  std::string title;
-  std::vector<Form> forms;
-  double (*weight)(double cos_theta);
-};
-
-std::vector<Curve> error_curves(const ErrorsAgainst& comparison, const std::string& kind) {
-  std::vector<Curve> curves;
-  for (const Form& form : comparison.forms) {
-    curves.push_back({fmt::format("{}_{}_to_{}", kind, form.column, comparison.reference), form.label,
-                      form.look, kind == "rel"});
+/// The errors of F by these forms of the weight against one reference: absolute, or in percent of its F.
+std::vector<DrawnCurve> errors_of(const std::vector<DrawnCurve>& forms, const char* name,
+                                  const std::function<double(double)>& reference, bool in_percent) {
+  std::vector<DrawnCurve> errors;
+  for (const DrawnCurve& form : forms) {
+    Curve curve = form.curve;
+    curve.column = fmt::format("{}_{}_to_{}", in_percent ? "rel" : "abs", curve.column, name);
+    curve.in_percent = in_percent;
+    errors.push_back({curve, [weight = form.value, reference, in_percent](double c) {
+                        const double f0 = constant<double>(reference_f0), truth = reference(c);
+                        const double error = (1 - f0) * (weight(c) - truth);
+                        return in_percent ? error / schlick_reflectance(f0, truth) : error;
+                      }});
   }
-  return curves;
-}
-
-Table error_table(const std::vector<ErrorsAgainst>& comparisons) {
-  const double f0 = constant<double>(reference_f0);
-  Table table{{"cosine"}};
-  for (const ErrorsAgainst& comparison : comparisons) {
-    for (const char* kind : {"abs", "rel"}) {
-      for (const Curve& curve : error_curves(comparison, kind)) table.columns.push_back(curve.column);
-    }
-  }
-  for (int i = 0; i <= plot_steps; ++i) {
-    const double c = static_cast<double>(i) / plot_steps;
-    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(c)});
-    for (const ErrorsAgainst& comparison : comparisons) {
-      const double reference = comparison.weight(c);
-      std::vector<double> errors;
-      for (const Form& form : comparison.forms) errors.push_back((1 - f0) * (form.weight(c) - reference));
-      for (const double error : errors) row.push_back(plotted(error));
-      for (const double error : errors) row.push_back(plotted(error / schlick_reflectance(f0, reference)));
-    }
-  }
-  return table;
+  return errors;
 }
 
 Figure errors(std::string_view family) {
-  std::vector<Form> with_schlick{schlick_form(Look::thin_target)};
-  for (const Form& form : exp2_forms()) with_schlick.push_back(form);
-  const std::vector<ErrorsAgainst> comparisons{
-      {"schlick", fmt::format("against Schlick, F0 = {}", reference_f0), exp2_forms(), &schlick},
-      {"dielectric", fmt::format("against the exact dielectric, n = {}", glass.ior), with_schlick,
-       &dielectric}};
-  const Table data = error_table(comparisons);
+  std::vector<DrawnCurve> forms = exp2_forms();
+  // By panel: absolute above, relative below; on the left against Schlick.
+  std::array<std::vector<DrawnCurve>, 4> errors;
+  for (const bool in_percent : {false, true})
+    errors.at(in_percent ? 2 : 0) = errors_of(forms, "schlick", schlick(Look::target).value, in_percent);
+  forms.insert(forms.begin(), schlick(Look::thin_target));
+  for (const bool in_percent : {false, true})
+    errors.at(in_percent ? 3 : 1) = errors_of(forms, "dielectric", dielectric, in_percent);
+  std::vector<DrawnCurve> all;
+  for (const std::size_t panel : {0, 2, 1, 3})
+    all.insert(all.end(), errors.at(panel).begin(), errors.at(panel).end());
+  const Table data = table_over_cosine(all);
+  const std::array titles{fmt::format("against Schlick, F0 = {}", reference_f0),
+                          fmt::format("against the exact dielectric, n = {}", glass.ior)};
   std::vector<Panel> panels;
-  for (const char* kind : {"abs", "rel"}) {
-    const bool is_absolute = std::string_view(kind) == "abs";
-    std::vector<Curve> all;
-    for (const ErrorsAgainst& comparison : comparisons) {
-      const auto curves = error_curves(comparison, kind);
-      all.insert(all.end(), curves.begin(), curves.end());
-    }
-    for (const ErrorsAgainst& comparison : comparisons) {
-      const bool is_first = &comparison == &comparisons.front();
-      Panel& panel = panels.emplace_back(
-          panel_over_cosine(error_curves(comparison, kind), "set yrange " + range_around(data, all) + "\n"));
-      panel.levels = {{"0", ""}};
-      if (is_first) panel.y_label = is_absolute ? "absolute error of F" : "relative error of F, %";
-      if (is_absolute) {
-        panel.title = comparison.title;
-        panel.x_label.clear();
-      } else {
-        panel.top_tics.clear();
-      }
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const bool in_percent = i >= 2, is_first = i % 2 == 0;
+    std::vector<Curve> of_row = curves_of(errors.at(is_first ? i : i - 1)),
+                       others = curves_of(errors.at(i | 1U));
+    of_row.insert(of_row.end(), others.begin(), others.end());
+    Panel& panel = panels.emplace_back(
+        panel_over_cosine(curves_of(errors.at(i)), "set yrange " + range_around(data, of_row) + "\n"));
+    panel.levels = {{"0", ""}};
+    if (is_first) panel.y_label = in_percent ? "relative error of F, %" : "absolute error of F";
+    if (in_percent) {
+      panel.top_tics.clear();
+    } else {
+      panel.title = titles.at(i);
+      panel.x_label.clear();
     }
   }
   const Plot plot{.name = "fresnel-errors",
@@ -177,13 +140,13 @@ Figure errors(std::string_view family) {
                   .columns = 2,
                   .panel_height = 230,
                   .panels = panels};
-  return {
-      plot.name, family,
+  return figure_of(
+      plot, family,
       fmt::format("Errors of the reflectance F = F0 + (1 − F0) f with F0 = {}, the one of index {}: on the "
                   "left against Schlick's formula, which they approximate, on the right against the exact "
                   "dielectric, which Schlick's formula itself misses.",
                   reference_f0, glass.ior),
-      data, write_script(plot)};
+      data);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <span>
 
 #include "approx/lobe.hpp"
@@ -38,62 +39,49 @@ double last_angle(const Fit& fit) {
   return std::ceil(degrees_of({c, 1 - c}) / step) * step;
 }
 
-/// Calls `append` for each row, which already contains exponent and angle, with the points of the curves.
-template <class Append>
-void add_rows(Table& table, const std::vector<const Fit*>& fits,
-              const std::vector<Approximation>& approximations, const Append& append) {
-  for (const Fit* fit : fits) {
-    std::vector<std::function<CurvePoint(const Cosine<double>&)>> curves;
-    for (const Approximation& approximation : approximations) {
-      const double parameter = approximation.parameter(*fit);
-      curves.push_back(fit->family->curve_at(setting_of(*fit), std::span(&parameter, 1)));
-    }
-    for (int i = 0; i <= plot_steps; ++i) {
-      const double angle = last_angle(*fit) * i / plot_steps;
-      auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(*fit->exponent), plotted(angle)});
-      const Cosine<double> cosine = cosine_of_degrees(angle);
-      std::vector<CurvePoint> points;
-      for (const auto& curve : curves) points.push_back(curve(cosine));
-      append(row, *fit, cosine, points);
-    }
-  }
+/// The curve of an approximation at a fit, by the angle.
+std::function<CurvePoint(const Cosine<double>&)> at_fit(const Fit& fit, const Approximation& approximation) {
+  const double parameter = approximation.parameter(fit);
+  return fit.family->curve_at(setting_of(fit), std::span(&parameter, 1));
 }
 
-Table lobe_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations) {
-  Table table{{"exponent", "angle", "target"}};
-  for (const auto& approximation : approximations) table.columns.push_back(approximation.column);
-  add_rows(table, fits, approximations,
-           [](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c,
-              const std::vector<CurvePoint>& points) {
-             row.push_back(plotted(power_lobe(c.cos_theta, *fit.exponent)));
-             for (const CurvePoint& point : points) row.push_back(plotted(point.form));
-           });
-  return table;
-}
-
-/// Relative errors are given where the target is at least 1/255.
-Table error_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations) {
-  Table table{{"exponent", "angle"}};
-  for (const char* kind : {"abs_", "rel_"}) {
-    for (const auto& approximation : approximations) table.columns.push_back(kind + approximation.column);
-  }
-  add_rows(table, fits, approximations,
-           [](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c,
-              const std::vector<CurvePoint>& points) {
-             const bool is_visible = c.cos_theta >= fit.relative_domain.lower;
-             for (const CurvePoint& point : points) row.push_back(plotted(point.error));
-             for (const CurvePoint& point : points)
-               row.push_back(is_visible ? plotted(point.relative_error.value_or(0)) : Cell());
-           });
-  return table;
-}
-
-std::vector<Curve> curves_of(const std::vector<Approximation>& approximations, const std::string& kind) {
-  std::vector<Curve> curves;
-  for (const auto& approximation : approximations) {
-    curves.push_back({kind + approximation.column, approximation.label, approximation.look, kind == "rel_"});
-  }
+/// The lobe of a fit and its approximations.
+std::vector<DrawnCurve> values_at(const Fit& fit, const std::vector<Approximation>& approximations) {
+  std::vector<DrawnCurve> curves{{{"target", "cos^k(θ)", Look::target}, [k = *fit.exponent](double angle) {
+                                    return power_lobe(cosine_of_degrees(angle).cos_theta, k);
+                                  }}};
+  for (const Approximation& of : approximations)
+    curves.push_back({{of.column, of.label, of.look}, [curve = at_fit(fit, of)](double angle) {
+                        return curve(cosine_of_degrees(angle)).form;
+                      }});
   return curves;
+}
+
+/// The errors of the approximations: absolute ones, then relative ones, where the target is at least 1/255.
+std::vector<DrawnCurve> errors_at(const Fit& fit, const std::vector<Approximation>& approximations) {
+  std::vector<DrawnCurve> curves;
+  for (const Approximation& of : approximations)
+    curves.push_back({{"abs_" + of.column, of.label, of.look}, [curve = at_fit(fit, of)](double angle) {
+                        return curve(cosine_of_degrees(angle)).error;
+                      }});
+  const double least = fit.relative_domain.lower;
+  for (const Approximation& of : approximations)
+    curves.push_back(
+        {{"rel_" + of.column, of.label, of.look, true}, [curve = at_fit(fit, of), least](double angle) {
+           const Cosine<double> c = cosine_of_degrees(angle);
+           return c.cos_theta >= least ? curve(c).relative_error.value_or(0) : NAN;
+         }});
+  return curves;
+}
+
+/// The curves of each fit, as far as its lobe is visible.
+Table table_of(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
+               std::vector<DrawnCurve> (*curves_at)(const Fit&, const std::vector<Approximation>&)) {
+  Table table = table_for({"exponent", "angle"}, curves_at(*fits.front(), approximations));
+  for (const Fit* fit : fits)
+    append_rows(table, {plotted(*fit->exponent)}, curves_at(*fit, approximations),
+                even_places(0, last_angle(*fit)));
+  return table;
 }
 
 /// A row of panels over the angle, one per fit.
@@ -127,12 +115,17 @@ std::vector<Panel> panels_of(const std::vector<PanelRow>& rows, const std::vecto
 
 /// Absolute errors above, relative ones below. The axis ends at 100 %: in the tail of a blunt lobe a relative
 /// error grows to thousands of percent.
-std::vector<Panel> error_panels(const std::vector<const Fit*>& fits,
-                                const std::vector<Approximation>& approximations, const std::string& letter) {
+Figure error_figure(const std::string& name, const std::string& about, std::string_view family,
+                    const std::string& caption, const std::vector<const Fit*>& fits,
+                    const std::vector<Approximation>& approximations, const std::string& letter) {
+  const std::vector<Curve> curves = curves_of(errors_at(*fits.front(), approximations));
+  const auto relative = curves.begin() + std::ssize(approximations);
   const std::vector<Level> zero{{"0", ""}};
-  return panels_of({{"absolute error", "", curves_of(approximations, "abs_"), zero},
-                    {"relative error, %", "set yrange [*:*<100]\n", curves_of(approximations, "rel_"), zero}},
-                   fits, letter);
+  const Plot plot{name, about, 3, 200,
+                  panels_of({{"absolute error", "", {curves.begin(), relative}, zero},
+                             {"relative error, %", "set yrange [*:*<100]\n", {relative, curves.end()}, zero}},
+                            fits, letter)};
+  return figure_of(plot, family, caption, table_of(fits, approximations, errors_at));
 }
 
 std::vector<Approximation> gaussian_approximations() {
@@ -157,30 +150,28 @@ std::vector<Curve> measure_curves() {
 }
 
 Figure gaussian_lobe_figure(const std::vector<const Fit*>& fits) {
-  std::vector<Curve> curves{{"target", "cos^k(θ)", Look::target}};
-  for (const Curve& curve : curves_of(gaussian_approximations(), "")) curves.push_back(curve);
+  const std::vector<Curve> curves = curves_of(values_at(*fits.front(), gaussian_approximations()));
   // The logarithmic scale ends at one code of an 8-bit linear target.
   const Plot plot{"lobe", "The lobe c^k and exp((k+x)(c-1)) for three offsets x, at three exponents k.", 3,
                   210,
                   panels_of({{"value", "set yrange [0:1]\n", curves, {}},
                              {"value, logarithmic", "set logscale y\nset yrange [1./255:1]\n", curves, {}}},
                             fits, "k")};
-  return {
-      plot.name, "sg-offset",
+  return figure_of(
+      plot, "sg-offset",
       "The lobe cos^k θ and its spherical Gaussian exp((k+x)(cos θ − 1)) for three offsets x, at a low, a "
       "medium and a high exponent k, each as far as the lobe is visible; below on a logarithmic scale, where "
       "the tails part.",
-      lobe_table(fits, gaussian_approximations()), write_script(plot)};
+      table_of(fits, gaussian_approximations(), values_at));
 }
 
 Figure gaussian_error_figure(const std::vector<const Fit*>& fits) {
-  const Plot plot{"lobe-errors",
-                  "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.", 3, 200,
-                  error_panels(fits, gaussian_approximations(), "k")};
-  return {plot.name, "sg-offset",
-          "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
-          "errors where the lobe is at least 1/255, and up to 100 %.",
-          error_table(fits, gaussian_approximations()), write_script(plot)};
+  return error_figure(
+      "lobe-errors", "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.",
+      "sg-offset",
+      "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
+      "errors where the lobe is at least 1/255, and up to 100 %.",
+      fits, gaussian_approximations(), "k");
 }
 
 Figure offset_figure(const Refit& refit) {
@@ -198,12 +189,12 @@ Figure offset_figure(const Refit& refit) {
   const Panel whole =
       panel("set logscale x\nset xrange [1:1e6]\nset format x '10^{%T}'\n", {limit, limit + ", the limit"});
   const Plot plot{"offset", "The best offset x by exponent k, under three measures.", 2, 330, {small, whole}};
-  return {
-      plot.name, "sg-offset",
+  return figure_of(
+      plot, "sg-offset",
       fmt::format("The best offset x by exponent k under three measures, on a small and on the whole range, "
                   "with the printed mean {} and limit {}.",
                   mean, limit),
-      best_parameter_table(refit), write_script(plot)};
+      best_parameter_table(refit));
 }
 
 std::vector<Approximation> blinn_approximations() {
@@ -229,23 +220,22 @@ Figure factor_figure(const Refit& refit) {
                   1,
                   340,
                   {panel}};
-  return {
-      plot.name, "phong-blinn",
+  return figure_of(
+      plot, "phong-blinn",
       fmt::format(
           "The best factor from the Phong exponent ρ to Blinn's under three measures, with the printed {} and {}.",
           limit, somewhere),
-      best_parameter_table(refit), write_script(plot)};
+      best_parameter_table(refit));
 }
 
 Figure factor_error_figure(const std::vector<const Fit*>& fits) {
-  const Plot plot{
+  return error_figure(
       "phong-blinn-errors",
-      "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.", 3,
-      200, error_panels(fits, blinn_approximations(), "ρ")};
-  return {plot.name, "phong-blinn",
-          "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
-          "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
-          error_table(fits, blinn_approximations()), write_script(plot)};
+      "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.",
+      "phong-blinn",
+      "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
+      "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
+      fits, blinn_approximations(), "ρ");
 }
 
 }  // namespace

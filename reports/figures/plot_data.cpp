@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "fit/catalogue/family.hpp"
 
@@ -10,18 +11,37 @@ namespace shadefit {
 
 Cell plotted(double value) {
   constexpr int digits = 6;
-  return Number{value, digits};
+  return std::isfinite(value) ? Cell(Number{value, digits}) : Cell();
 }
 
-Cell plotted_if_finite(double value) {
-  return std::isfinite(value) ? plotted(value) : Cell();
-}
-
-std::vector<double> abscissae(double from, double to) {
+std::vector<double> even_places(double from, double to, int steps) {
   std::vector<double> places;
-  constexpr int steps = 2 * plot_steps;
   for (int i = 0; i <= steps; ++i) places.push_back(from + (to - from) * i / steps);
   return places;
+}
+
+std::vector<Curve> curves_of(const std::vector<DrawnCurve>& drawn) {
+  std::vector<Curve> curves;
+  for (const DrawnCurve& of : drawn) curves.push_back(of.curve);
+  return curves;
+}
+
+Table table_for(std::vector<std::string> first, const std::vector<DrawnCurve>& drawn) {
+  for (const DrawnCurve& of : drawn) first.push_back(of.curve.column);
+  return {std::move(first)};
+}
+
+void append_rows(Table& table, const std::vector<Cell>& start, const std::vector<DrawnCurve>& drawn,
+                 const std::vector<double>& places) {
+  for (const double place : places) {
+    auto& row = table.rows.emplace_back(start);
+    row.push_back(plotted(place));
+    for (const DrawnCurve& of : drawn) row.push_back(plotted(of.value(place)));
+  }
+}
+
+Figure figure_of(const Plot& plot, std::string_view family, const std::string& caption, const Table& data) {
+  return {plot.name, family, caption, data, write_script(plot)};
 }
 
 Cosine<double> cosine_of_degrees(double degrees) {

@@ -6,14 +6,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
 
 #include "fit/input/bounded_file.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/csv.hpp"
-#include "reports/rows/tables.hpp"
 #include "reports/sections/report.hpp"
 
 namespace shadefit {
@@ -133,17 +131,6 @@ OldTable parse_checked(const Baseline& baseline, const std::string& name,
   return {name, path.lexically_normal().generic_string(), table};
 }
 
-CheckedTables compare_all(const Baseline& baseline, const std::vector<File>& now,
-                          const std::vector<FitRow>& origins) {
-  CheckedTables checked;
-  for (const auto& [name, content] : now) {
-    const CsvTable table = parse_csv(content, name);
-    compare_tables(parse_checked(baseline, name, table.columns), table,
-                   name == fits_file ? origins : std::vector<FitRow>{}, checked);
-  }
-  return checked;
-}
-
 /// The ids stay: dashboards and suppressions name them.
 constexpr const char* changed_cell = "changed-cell";
 constexpr const char* changed_row = "changed-row";
@@ -180,12 +167,19 @@ Baseline read_tables(const std::filesystem::path& directory, const std::vector<s
   return tables;
 }
 
-CheckedTables compare(const Baseline& baseline, const Results& results) {
-  return compare_all(baseline, table_files(results), fits_table(results.refits).origins);
+CheckedTables compare_files(const Baseline& tables, const std::vector<File>& now,
+                            const std::vector<FitRow>& origins) {
+  CheckedTables checked;
+  for (const auto& [name, content] : now) {
+    const CsvTable table = parse_csv(content, name);
+    compare_tables(parse_checked(tables, name, table.columns), table,
+                   name == fits_file ? origins : std::vector<FitRow>{}, checked);
+  }
+  return checked;
 }
 
-CheckedTables compare_files(const Baseline& tables, const std::vector<File>& now) {
-  return compare_all(tables, now, {});
+CheckedTables compare(const Baseline& baseline, const Results& results) {
+  return compare_files(baseline, table_files(results), fits_table(results.refits).origins);
 }
 
 bool is_failing(const Drift& drift, const std::optional<double>& fail_above) {

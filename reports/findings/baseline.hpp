@@ -8,6 +8,7 @@
 #include "fit/better/results.hpp"
 #include "reports/findings/finding.hpp"
 #include "reports/io/files.hpp"
+#include "reports/rows/tables.hpp"
 
 /// Compares the current results with the committed tables, cell by cell.
 namespace shadefit {
@@ -46,9 +47,10 @@ Baseline read_tables(const std::filesystem::path& directory, const std::vector<s
 /// truncated, malformed or has other columns.
 CheckedTables compare(const Baseline& baseline, const Results& results);
 
-/// Compares tables of `read_tables` with CSV tables of the same names as they are now. Throws UserError as
-/// `compare` does.
-CheckedTables compare_files(const Baseline& tables, const std::vector<File>& now);
+/// Compares tables of `read_tables` with CSV tables of the same names as they are now; `origins` are those of
+/// the rows of fits.csv. Throws UserError as `compare` does.
+CheckedTables compare_files(const Baseline& tables, const std::vector<File>& now,
+                            const std::vector<FitRow>& origins = {});
 
 /// Whether a drift fails the check: every one, or with a limit each number that changed by a larger share,
 /// and each word and row.

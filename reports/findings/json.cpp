@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "reports/findings/finding_texts.hpp"
+#include "reports/findings/finding.hpp"
 #include "reports/io/escape.hpp"
 
 namespace shadefit::findings {

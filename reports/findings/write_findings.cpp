@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "reports/findings/finding_texts.hpp"
+#include "reports/findings/finding.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "fit/steps/status.hpp"
@@ -125,7 +124,39 @@ struct ConsoleColumn {
   bool is_numeric;
   std::size_t width;
   std::size_t least;  ///< width to which its cells can be folded
+  std::size_t rank;   ///< the lowest one is dropped first
 };
+
+constexpr std::size_t never_dropped = 10'000;
+
+bool is_largest_error(const std::string& title) {
+  return title == "largest residual" || title == "max error at least" ||
+         (title.starts_with("max ") && title.ends_with(" error"));
+}
+
+/// The place of a column in the order in which they are dropped: details first, then from the right. Last go
+/// what a reader came for: the constants, where they are from, and the first of the largest errors or its
+/// bounds. What all rows are about stays: the verdict; of a comparison the form and what it costs. There the
+/// verdict and the sources go before the errors do.
+std::size_t rank_of(const std::vector<std::string>& titles, std::size_t place) {
+  constexpr std::array<std::string_view, 7> details{"operations", "digits",    "status",   "at c",
+                                                    "under",      "published", "rms error"};
+  constexpr std::size_t of_comparison = 1000, last = 2000;
+  if (place == 0) return never_dropped;
+  const std::string& title = titles[place];
+  const auto* detail = std::ranges::find(details, title);
+  if (detail != details.end()) return static_cast<std::size_t>(detail - details.begin());
+  const bool is_comparison = std::ranges::find(titles, "instructions") != titles.end();
+  if (is_comparison && title == "verdict") return of_comparison;
+  if (is_comparison && title == "from") return of_comparison + 1;
+  if (title == "verdict" || title == "form" || title == "instructions") return never_dropped;
+  const std::size_t from_right = details.size() + titles.size() - place;
+  const bool is_dropped_last =
+      title == "constants" || title == "from" || title == "at most" ||
+      (is_largest_error(title) &&
+       std::ranges::find_if(titles, is_largest_error) - titles.begin() == static_cast<std::ptrdiff_t>(place));
+  return is_dropped_last ? last + from_right : from_right;
+}
 
 std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows) {
   // A narrower column of text is hard to read.
@@ -139,51 +170,10 @@ std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows
       for (const std::string& word : folded(row[i], 1)) least = std::max(least, width(word));
     }
     columns.push_back({i, table.columns[i], are_numeric[i], width_of[i],
-                       are_numeric[i] ? width_of[i] : std::min(least, width_of[i])});
+                       are_numeric[i] ? width_of[i] : std::min(least, width_of[i]),
+                       rank_of(table.columns, i)});
   }
   return columns;
-}
-
-bool is_largest_error(const ConsoleColumn& column) {
-  return column.title == "largest residual" || column.title == "max error at least" ||
-         (column.title.starts_with("max ") && column.title.ends_with(" error"));
-}
-
-/// What a reader came for: the constants, where they are from, and the first of the largest errors or its
-/// bounds.
-bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleColumn>::iterator column) {
-  return column->title == "constants" || column->title == "from" || column->title == "at most" ||
-         (is_largest_error(*column) && std::ranges::find_if(columns, is_largest_error) == column);
-}
-
-/// What all rows are about: the verdict; of a comparison the form and what it costs.
-bool is_kept(const ConsoleColumn& column) {
-  return column.title == "verdict" || column.title == "form" || column.title == "instructions";
-}
-
-/// The next column to drop; `columns.end()` if all must stay.
-std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& columns) {
-  constexpr std::array<std::string_view, 7> details{"operations", "digits",    "status",   "at c",
-                                                    "under",      "published", "rms error"};
-  for (const std::string_view title : details) {
-    const auto found = std::ranges::find(columns, title, &ConsoleColumn::title);
-    if (found != columns.end() && found != columns.begin()) return found;
-  }
-  auto last_one = columns.end();
-  for (auto last = columns.end(); last != columns.begin() && --last != columns.begin();) {
-    if (is_kept(*last)) continue;
-    if (!is_dropped_last(columns, last)) return last;
-    if (last_one == columns.end()) last_one = last;
-  }
-  const auto titled = [&](std::string_view title) {
-    return std::ranges::find(columns, title, &ConsoleColumn::title);
-  };
-  // Of a comparison the verdict and the sources go before the errors do.
-  if (titled("instructions") != columns.end()) {
-    for (const std::string_view title : {"verdict", "from"})
-      if (titled(title) != columns.end()) return titled(title);
-  }
-  return last_one;
 }
 
 /// Drops and narrows columns until all fit, as far as possible. Returns the titles of the dropped ones.
@@ -195,8 +185,8 @@ std::vector<std::string> fit_columns(std::vector<ConsoleColumn>& columns, std::s
   };
   std::vector<std::string> dropped;
   while (total(&ConsoleColumn::least) > room) {
-    const auto next = next_to_go(columns);
-    if (next == columns.end()) break;
+    const auto next = std::ranges::min_element(columns, {}, &ConsoleColumn::rank);
+    if (next->rank == never_dropped) break;
     dropped.push_back(next->title);
     columns.erase(next);
   }

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <variant>
 
 #include "reports/io/escape.hpp"
 #include "reports/io/mathematics.hpp"
 #include "reports/io/writers.hpp"
+#include "reports/sections/prose.hpp"
 #include "reports/sections/sections.hpp"
 #include "reports/studies/study_comparison.hpp"
 
@@ -38,17 +38,7 @@ std::string comparison_block(const StudyComparison& comparison) {
 }  // namespace
 
 std::string better_section(const std::vector<TargetComparison>& comparisons) {
-  std::string out =
-      "## Published against best\n\n"
-      "What would be better at the same cost? For each target, the table lists the published curves, and "
-      "the best constants of each form under the cosine measure: by least squares, and *minimax*, which "
-      "makes the largest error smallest. Some forms were never published. The largest error of each "
-      "published curve, and of the best one at its cost, is proven to a relative width of 1e-4; the others are "
-      "sampled and refined. On a surface, errors are of the reflectance F. Operations are counted in the code "
-      "that `shadefit emit` writes for one exponent, where expressions of constants are computed beforehand. "
-      "A curve *beats* a published one if its error is smaller and it needs no more instructions. The best one "
-      "also keeps the properties of the published one. For other surfaces, exponents, domains and errors see "
-      "`shadefit better ID`.\n\n";
+  std::string out = section_text("better");
   for (const TargetComparison& target : comparisons) {
     out += fmt::format("### {}\n\n", target.title) + comparison_block(target.comparison) +
            "For each published curve, the best curve that needs no more instructions:\n\n";

@@ -8,6 +8,7 @@
 #include "reports/io/joined.hpp"
 #include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
+#include "reports/sections/prose.hpp"
 
 namespace shadefit {
 namespace {
@@ -127,22 +128,8 @@ Table fresnel_table(const std::vector<FresnelLink>& chain) {
   return table;
 }
 
-Table glass_table(const std::vector<FresnelLink>& chain) {
-  Table table{chain_columns};
-  for (const FresnelLink& link : chain) {
-    if (is_glass(link)) table.rows.push_back(chain_row(link));
-  }
-  return table;
-}
-
 std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
-  std::string out =
-      "## Exact Fresnel\n\n"
-      "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each form is "
-      "compared with Schlick's formula for the surface's f0, and with the exact reflectance of a smooth "
-      "surface for unpolarised light that comes from outside. Each error is the largest error of the "
-      "reflectance F over all angles: absolute, in percent of F, and in 8-bit sRGB codes. \"Refitted\" is "
-      "the same form, fitted to the exact F by least squares under the cosine measure.\n\n";
+  std::string out = section_text("exact-fresnel");
   const FresnelLink* dielectric = worst(chain, false);
   const FresnelLink* metal = worst(chain, true);
   out += fmt::format(
@@ -190,7 +177,11 @@ std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain) {
 std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
   const std::string headline = exact_fresnel_headline(chain);
   if (headline.empty()) return "";
-  return headline + markdown_block(glass_table(chain)) +
+  Table glass_table{chain_columns};
+  for (const FresnelLink& link : chain) {
+    if (is_glass(link)) glass_table.rows.push_back(chain_row(link));
+  }
+  return headline + markdown_block(glass_table) +
          "Each error is the largest error of the reflectance F over all angles, with f0 = 0.04: absolute, in "
          "percent of F, and "
          "in 8-bit sRGB codes. More dielectrics, and metals: [Exact Fresnel](#exact-fresnel).\n\n";

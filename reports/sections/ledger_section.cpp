@@ -6,7 +6,6 @@
 
 #include "reports/io/joined.hpp"
 #include "reports/io/mathematics.hpp"
-#include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/sections/prose.hpp"
@@ -64,25 +63,19 @@ Table claims_table(const std::vector<JudgedClaim>& claims) {
 }
 
 Table claims_overview(const std::vector<JudgedClaim>& claims) {
-  Table table{{"claim", "printed", "computed", "verdict"}};
-  for (const auto& [_, claim, finding] : claims)
-    table.rows.push_back({word(claim->id), printed_text(*claim), finding.computed, verdict_text(finding)});
-  return table;
+  return columns_of(claims_table(claims), {0, 1, 2, 3});
 }
 
 Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bool with_statements) {
-  Table table{{"id", "printed"}};
-  if (with_verdicts) table.columns.insert(table.columns.end(), {"computed", "verdict"});
-  if (with_statements) table.columns.emplace_back("of");
-  table.columns.emplace_back("source");
-  for (const auto& [_, claim, finding] : claims) {
-    std::vector<Cell>& row = table.rows.emplace_back();
-    row = {word(claim->id), printed_text(*claim)};
-    if (with_verdicts) row.insert(row.end(), {finding.computed, verdict_text(finding)});
-    if (with_statements) row.emplace_back(without_marks(claim->statement));
-    row.emplace_back(with_statements ? citation(claim->source) : author_and_year(claim->source));
-  }
-  return table;
+  Table list = columns_of(claims_table(claims), {0, 1, 2, 3, 8, 6});
+  list.columns = {"id", "printed", "computed", "verdict", "of", "source"};
+  for (std::size_t i = 0; i < claims.size() && !with_statements; ++i)
+    list.rows[i].back() = author_and_year(claims[i].claim->source);
+  std::vector<std::size_t> shown{0, 1};
+  if (with_verdicts) shown.insert(shown.end(), {2, 3});
+  if (with_statements) shown.push_back(4);
+  shown.push_back(5);
+  return columns_of(list, shown);
 }
 
 void add_forms_of_comparison(Table& list) {
@@ -111,15 +104,7 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
 }
 
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
-  std::string out = fmt::format(
-      "## The ledger\n\n"
-      "The ledger is the list of every number and every testable statement of the sources. It holds {}. A "
-      "printed number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is "
-      "*confirmed* if it is true on the whole stated range. It is *conditional* if it is true only on a part "
-      "of that range, or only in one of several interpretations; the evidence says which. Otherwise it is "
-      "*refuted*. Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the "
-      "derivation.\n\n",
-      verdict_counts(claims));
+  std::string out = fmt::format(fmt::runtime(section_text("ledger")), verdict_counts(claims));
   const Topic* last = nullptr;
   for (const JudgedClaim& judged : claims) {
     if (judged.topic != last) out += topic_section(*judged.topic, of_topic(claims, *judged.topic), figures);

@@ -9,6 +9,7 @@
 #include "reports/io/writers.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
+#include "reports/sections/prose.hpp"
 
 namespace shadefit {
 namespace {
@@ -49,13 +50,7 @@ std::string microfacet_words(const Results& results) {
 }  // namespace
 
 std::string normalisation_section(const Results& results) {
-  std::string out = fmt::format(
-      "## Normalisation, with view and normal aligned\n\n"
-      "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two "
-      "quadrature rules compute it: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative "
-      "difference below {:g} is printed as 0. The estimated error is a bound: it covers the errors "
-      "of both rules, their difference, and the tail that is cut off.\n\n",
-      normalisation_tolerance);
+  std::string out = fmt::format(fmt::runtime(section_text("normalisation")), normalisation_tolerance);
   Table lobes{{"constant", "lobe", "printed", "typeset", "source"}};
   for (const Normalisation& record : normalisations) {
     if (!is_checked(results, record)) continue;

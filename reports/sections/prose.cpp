@@ -5,6 +5,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "reports/sections/text_files.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -49,6 +51,10 @@ std::string short_lines_of(const std::string& line) {
 }
 
 }  // namespace
+
+std::string section_text(std::string_view name) {
+  return std::string(embedded_text(text_files, name)) + "\n";
+}
 
 std::vector<std::string> sentences_of(std::string_view text) {
   return parts_of(text, '.');

@@ -7,6 +7,9 @@
 /// The words of a report: sentences, lines, headings.
 namespace shadefit {
 
+/// The text of reports/sections/text/NAME.md, and an empty line.
+std::string section_text(std::string_view name);
+
 /// The sentences of a text. A full stop and a space end one; the two points of ".. " do not.
 std::vector<std::string> sentences_of(std::string_view text);
 

@@ -6,6 +6,7 @@
 
 #include "reports/io/joined.hpp"
 #include "reports/io/writers.hpp"
+#include "reports/sections/prose.hpp"
 
 namespace shadefit {
 namespace {
@@ -113,16 +114,7 @@ Table reflectance_table(const std::vector<ReflectanceCurve>& curves) {
 }
 
 std::string reflectance_section(const std::vector<ReflectanceCurve>& curves) {
-  std::string out =
-      "## Energy at every angle\n\n"
-      "The constants above are stated for v = n. Here the reflectance R is the constant times the integral "
-      "of its lobe over the hemisphere n.l >= 0 (r.v clamped at 0). It is computed up to grazing views; the "
-      "view angle is the angle to the normal, in degrees. A lobe conserves energy if R, with the factor n.l, "
-      "is at most 1. So a constant that is stated without n.l is integrated as stated, and also with n.l. "
-      "Two independent ways agree to within the estimated error of `reflectance.csv`. One integrates over "
-      "circles around the lobe's axis: the azimuth in closed form, the rest by Gauss-Kronrod. The other "
-      "integrates over longitude and latitude around the pole perpendicular to n and v, by tanh-sinh or "
-      "Gauss-Legendre.\n\n";
+  std::string out = section_text("reflectance");
   std::string sentences;
   for (const ReflectedConstant& constant : reflected_constants) {
     const Curves found = curves_of(curves, *constant.record);

@@ -15,23 +15,6 @@
 namespace shadefit {
 namespace {
 
-constexpr std::string_view how_to_read =
-    "A verdict compares the printed digits with the computed number:\n\n"
-    "- *confirmed*: all printed digits are right.\n"
-    "- *rounding*: the last digit is off by one.\n"
-    "- *other-objective*: the measure of the row (`cosine` where it names none) does not give the printed digits, but "
-    "another named metric or convention does.\n"
-    "- *conditional*: right only for a part of the range, or only in one of several interpretations of the words.\n"
-    "- *refuted*: no metric or convention gives the printed digits.\n\n"
-    "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs "
-    "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the "
-    "`cosine-weighted` measure c dc weighs projected solid angle evenly. A fit is continuous least squares: "
-    "it makes the integral of the squared absolute error, weighted by the measure, smallest. The digits of a "
-    "fit are those that the last Newton step in wider arithmetic no longer changes, at most 14. An effect is "
-    "the largest change between two numbers or formulas: in 8-bit sRGB codes, as an absolute error, as a "
-    "relative error (of values from 1/255 on; 2 is twice the value), and in steps of a half float (ulps). Each of these "
-    "is the largest of its kind; their places differ.\n\n";
-
 /// The publications that the records of these results cite, by year.
 std::string sources_section(const Results& results) {
   std::vector<const Source*> sources;
@@ -64,7 +47,7 @@ Table better_table(const std::vector<TargetComparison>& targets) {
 }  // namespace
 
 std::string write_report(const Results& results, const std::vector<Figure>& figures) {
-  std::string out = fmt::format("## How to read it\n\n{}## Summary\n\n", how_to_read);
+  std::string out = section_text("how-to-read") + "## Summary\n\n";
   out += exact_fresnel_lead(results.fresnel_chain);
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) out += markdown_block(summary);

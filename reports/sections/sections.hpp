@@ -36,9 +36,6 @@ std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain);
 /// The headline, and the error of each curve on glass. Empty without a chain.
 std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain);
 
-/// The rows of the chain for glass, index 1.5.
-Table glass_table(const std::vector<FresnelLink>& chain);
-
 /// One row per surface and curve: fresnel.csv. The surface is named by material and wavelength in nanometres,
 /// the curve by the id of its published number, `schlick`, or `refitted` after the family.
 Table fresnel_table(const std::vector<FresnelLink>& chain);

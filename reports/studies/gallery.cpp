@@ -8,6 +8,7 @@
 #include "reports/io/escape.hpp"
 #include "reports/io/writers.hpp"
 #include "reports/studies/html.hpp"
+#include "reports/studies/page_files.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
 
@@ -77,21 +78,10 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
       std::ranges::count_if(all, [](const JudgedStudy& study) { return study.is_published; });
   const auto improved = std::ranges::count_if(
       rows.rows, [](const auto& row) { return !std::holds_alternative<std::monostate>(row[8]); });
-  const std::string body =
-      fmt::format(
-          "<h1>Published constants of shading, judged and improved</h1>\n"
-          "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
-          "{} have a better set at no more instructions.</p>\n"
-          "<p>The error is the largest one over the stated range, sampled; the page of the constants says if it is relative or weighted. The verdict says which fit has the printed digits, and how many were tried:</p>\n"
-          "<ul class=\"facts\"><li><b>confirmed</b>: the fit of the study; <b>rounding</b>: the same, but for one unit in a last digit</li>"
-          "<li><b>other-objective</b>: another fit, which is named; <b>undecidable</b>: another fit, perhaps by chance</li>"
-          "<li><b>refuted</b>: none of the fits that were tried</li></ul>\n"
-          "<p>The best set has the least largest error among the fits that keep the properties of the published set: exact ends, rising or falling, not negative, at most 1. "
-          "A property counts where the target has it. A published set may be exact at an end to its printed digits; the best set is exact there. Each is proven by interval arithmetic, or its page says that it is sampled. The rms error is at most doubled. "
-          "<b>Least error</b> is that of a fit that loses some of these properties.</p>\n"
-          "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
-          rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
-      (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");
+  const std::string body = fmt::format(fmt::runtime(embedded_text(page_files, "index")), rows.rows.size(),
+                                       studies, improved, rows.rows.size()) +
+                           html_table(table_of_page(rows), true) +
+                           (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");
   return html_page(std::string("Published constants of shading"), body);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "fit/study/largest_error.hpp"
@@ -130,30 +131,40 @@ void append_contacts(const FittedStudy& study, const Slice& slice, Table& table)
   for (const AlternationPoint& contact : study.fit.alternation) {
     auto& row = table.rows.emplace_back(table.columns.size());
     row.front() = plotted(contact.at.cos_theta);
-    row.back() = plotted_if_finite(slice.at(error, contact.at.cos_theta));
+    row.back() = plotted(slice.at(error, contact.at.cos_theta));
   }
 }
 
-/// The columns target, form and error of each slice over the first variable. With measured rows, target and
-/// error are known at the rows only, which follow.
-Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, const StudyAxis& axis) {
-  Table table{{axis.variable}};
-  for (std::size_t i = 1; i <= slices.size(); ++i)
-    for (const char* column : {"target", "form", "error"})
-      table.columns.push_back(fmt::format("{}_{}", column, i));
-  std::vector<Symbolic> errors;
-  for (const auto& [slice, label] : slices) errors.push_back(weighted_error_of(*slice.study).form);
-  for (const double x : abscissae(axis.lower, axis.upper)) {
-    auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(x)});
-    for (std::size_t i = 0; i < slices.size(); ++i) {
-      const Slice& slice = slices[i].first;
-      const double form = slice.at(slice.study->form, x);
-      const bool is_measured = slice.study->rows != nullptr;
-      const double target = is_measured ? NAN : slice.at(slice.study->target, x);
-      const double error = is_measured ? NAN : slice.at(errors[i], x);
-      for (const double value : {target, form, error}) row.push_back(plotted_if_finite(value));
-    }
+/// The target, the form and the error of each slice. Of measured rows, target and error are known at these
+/// only.
+std::vector<DrawnCurve> drawn_of(const std::vector<std::pair<Slice, std::string>>& slices) {
+  std::vector<DrawnCurve> drawn;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const Slice& slice = slices[i].first;
+    const bool is_measured = slice.study->rows != nullptr, are_several = slices.size() > 1 && !is_measured;
+    const std::string label = for_gnuplot(slices[i].second), number = fmt::to_string(i + 1);
+    const auto along = [&](const Symbolic& formula) {
+      return [slice, formula](double x) { return slice.at(formula, x); };
+    };
+    const auto unless_measured = [&](const Symbolic& formula) -> std::function<double(double)> {
+      if (!is_measured) return along(formula);
+      return [](double) { return NAN; };
+    };
+    drawn.push_back({{"target_" + number,
+                      is_measured   ? "rows"
+                      : are_several ? "target, " + label
+                                    : "target",
+                      are_several ? target_looks.at(i) : Look::target, false, is_measured, !is_measured},
+                     unless_measured(slice.study->target)});
+    drawn.push_back({{"form_" + number, label, curve_looks.at(i)}, along(slice.study->form)});
+    drawn.push_back({{"error_" + number, label, curve_looks.at(i), false, is_measured, !is_measured},
+                     unless_measured(weighted_error_of(*slice.study).form)});
   }
+  return drawn;
+}
+
+/// Appends the measured rows on each slice, below its columns of `drawn_of`.
+void append_rows_of(const std::vector<std::pair<Slice, std::string>>& slices, Table& table) {
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const Slice& slice = slices[i].first;
     if (!slice.study->rows) continue;
@@ -162,10 +173,9 @@ Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, con
       auto& row = table.rows.emplace_back(table.columns.size());
       row[0] = plotted(x);
       row[1 + 3 * i] = plotted(value);
-      row[3 + 3 * i] = plotted_if_finite(slice.at(slice.study->form, x) - value);
+      row[3 + 3 * i] = plotted(slice.at(slice.study->form, x) - value);
     }
   }
-  return table;
 }
 
 }  // namespace
@@ -176,7 +186,10 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   const auto slices = slices_of(studies);
   if (slices.empty()) throw UserError("--plot has nothing to draw: no fit converged");
   const StudyAxis& axis = first.axes.front();
-  Table table = slices_table(slices, axis);
+  const std::vector<DrawnCurve> drawn = drawn_of(slices);
+  Table table = table_for({axis.variable}, drawn);
+  append_rows(table, {}, drawn, even_places(axis.lower, axis.upper, 2 * plot_steps));
+  append_rows_of(slices, table);
   Panel curves{.title = for_gnuplot(study_headline(studies.front())),
                .y_label = "value",
                .settings = range_of(axis),
@@ -185,20 +198,8 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
                .y_label = words_of_error(studies.front().asked()),
                .settings = range_of(axis),
                .abscissa = axis.variable};
-  const bool is_measured = first.rows != nullptr;
-  const bool are_several = slices.size() > 1 && !is_measured;
-  for (std::size_t i = 0; i < slices.size(); ++i) {
-    const std::string label = for_gnuplot(slices[i].second);
-    curves.curves.push_back({fmt::format("target_{}", i + 1),
-                             is_measured   ? "rows"
-                             : are_several ? "target, " + label
-                                           : "target",
-                             are_several ? target_looks.at(i) : Look::target, false, is_measured,
-                             !is_measured});
-    curves.curves.push_back({fmt::format("form_{}", i + 1), label, curve_looks.at(i)});
-    errors.curves.push_back(
-        {fmt::format("error_{}", i + 1), label, curve_looks.at(i), false, is_measured, !is_measured});
-  }
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    (i % 3 == 2 ? errors : curves).curves.push_back(drawn[i].curve);
   const FittedStudy& study = studies.front();
   if (studies.size() == 1 && first.axes.size() == 1 && study.fit.level) {
     append_contacts(study, slices.front().first, table);
@@ -212,7 +213,7 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
                   .columns = 1,
                   .panel_height = slices_height,
                   .panels = {curves, errors}};
-  return {plot.name, "", plot.about, table, write_script(plot)};
+  return figure_of(plot, "", plot.about, table);
 }
 
 Figure better_study_figure(const StudyComparison& comparison) {
@@ -255,14 +256,15 @@ Figure better_study_figure(const StudyComparison& comparison) {
   const bool is_measured = read.front().rows != nullptr;
   const Slice first{&read.front(), &shown.front()->values, fixed};
   const auto rows = is_measured ? first.rows() : std::vector<std::size_t>{};
-  std::vector<double> places = is_measured ? std::vector<double>{} : abscissae(axis.lower, axis.upper);
+  std::vector<double> places =
+      is_measured ? std::vector<double>{} : even_places(axis.lower, axis.upper, 2 * plot_steps);
   for (const std::size_t row : rows) places.push_back(read.front().rows->places[0][row]);
   for (std::size_t place = 0; place < places.size(); ++place) {
     auto& cells = table.rows.emplace_back(std::vector<Cell>{plotted(places[place])});
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const Slice slice{&read[i], &shown[i]->values, fixed};
-      cells.push_back(plotted_if_finite(
-          slice.at(weighted_error_of(read[i]).form, places[place], is_measured ? rows[place] : 0)));
+      cells.push_back(
+          plotted(slice.at(weighted_error_of(read[i]).form, places[place], is_measured ? rows[place] : 0)));
     }
   }
   panel.settings = range_of(axis) + "set yrange " + range_around(table, panel.curves) + "\n";
@@ -272,7 +274,7 @@ Figure better_study_figure(const StudyComparison& comparison) {
                   .columns = 1,
                   .panel_height = slices_height + 100,
                   .panels = {panel}};
-  return {plot.name, "", plot.about, table, write_script(plot)};
+  return figure_of(plot, "", plot.about, table);
 }
 
 }  // namespace shadefit
