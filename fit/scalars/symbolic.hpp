@@ -93,8 +93,7 @@ class Symbolic {
 
   Symbolic(Kind kind, std::string name, std::vector<Symbolic> parts) {
     const std::size_t depth = depth_over(parts);
-    const bool is_of_numbers =
-        kind != Kind::variable && std::ranges::all_of(parts, &Symbolic::is_of_numbers);
+    const bool is_of_numbers = kind != Kind::variable && std::ranges::all_of(parts, &Symbolic::is_of_numbers);
     node_ = std::make_shared<const Node>(Node{kind, std::move(name), std::move(parts), depth, is_of_numbers});
   }
 
