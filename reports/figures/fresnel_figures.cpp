@@ -112,7 +112,7 @@ Figure errors(std::string_view family) {
   for (const bool in_percent : {false, true})
     errors.at(in_percent ? 3 : 1) = errors_of(forms, "dielectric", dielectric, in_percent);
   std::vector<DrawnCurve> all;
-  for (const std::size_t panel : {0, 2, 1, 3})
+  for (const std::size_t panel : {0u, 2u, 1u, 3u})
     all.insert(all.end(), errors.at(panel).begin(), errors.at(panel).end());
   const Table data = table_over_cosine(all);
   const std::array titles{fmt::format("against Schlick, F0 = {}", reference_f0),
