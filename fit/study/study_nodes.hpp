@@ -26,7 +26,7 @@ class KnownZeros {
   /// A hinge and the range of its variable.
   using Of = std::tuple<std::string, bool, bool, double, double>;
 
-  /// The edges that `find` gives for it, which is called once. Safe under threads.
+  /// The edges that `find` gives for it, which is called where they are not known. Safe under threads.
   std::vector<StudyEdge> of(const Of& hinge, const std::function<std::vector<StudyEdge>()>& find);
 
  private:
