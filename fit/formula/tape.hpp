@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -86,18 +87,23 @@ class Tape {
       for (std::size_t i = 0; i < count; ++i) result[i] = value(i);
     };
     const auto by_two = [&](const auto& combine) {
-      each([&, a = operand(0), b = operand(1)](std::size_t i) -> T { return combine(a[i], b[i]); });
+      const T *a = operand(0), *b = operand(1);
+      if constexpr (requires { Scalar<T>::put(*result, combine, *a, *b); }) {
+        for (std::size_t i = 0; i < count; ++i) Scalar<T>::put(result[i], combine, a[i], b[i]);
+      } else {
+        each([&](std::size_t i) -> T { return combine(a[i], b[i]); });
+      }
     };
     const auto index = static_cast<std::size_t>(step.index);
     switch (step.operation) {
       case Operation::add:
-        return by_two([](const T& a, const T& b) -> T { return a + b; });
+        return by_two(std::plus<>{});
       case Operation::subtract:
-        return by_two([](const T& a, const T& b) -> T { return a - b; });
+        return by_two(std::minus<>{});
       case Operation::multiply:
-        return by_two([](const T& a, const T& b) -> T { return a * b; });
+        return by_two(std::multiplies<>{});
       case Operation::divide:
-        return by_two([](const T& a, const T& b) -> T { return a / b; });
+        return by_two(std::divides<>{});
       case Operation::real_power:
         return by_two([](const T& a, const T& b) -> T { return power(a, b); });
       case Operation::negate:

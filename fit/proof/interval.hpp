@@ -3,6 +3,7 @@
 #include <mpfi.h>
 
 #include <boost/multiprecision/mpfi.hpp>
+#include <functional>
 #include <string>
 
 #include "approx/scalar.hpp"
@@ -108,6 +109,20 @@ struct Scalar<Interval> {
   }
   static Interval pi() { return apply(mpfi_const_pi); }
   static Interval ln2() { return apply(mpfi_const_log2); }
+
+  /// result = a + b and so on, without a new interval. The result may be one of the operands.
+  static void put(Interval& result, std::plus<> /*of*/, const Interval& a, const Interval& b) {
+    mpfi_add(result.backend().data(), a.backend().data(), b.backend().data());
+  }
+  static void put(Interval& result, std::minus<> /*of*/, const Interval& a, const Interval& b) {
+    mpfi_sub(result.backend().data(), a.backend().data(), b.backend().data());
+  }
+  static void put(Interval& result, std::multiplies<> /*of*/, const Interval& a, const Interval& b) {
+    mpfi_mul(result.backend().data(), a.backend().data(), b.backend().data());
+  }
+  static void put(Interval& result, std::divides<> /*of*/, const Interval& a, const Interval& b) {
+    mpfi_div(result.backend().data(), a.backend().data(), b.backend().data());
+  }
 
   /// sum += a b, without a new interval for the product.
   static void add_product(Interval& sum, const Interval& a, const Interval& b, Interval& product) {
