@@ -401,8 +401,10 @@ std::vector<StudyCandidate> basins(const StudyError& error, const SampledStudy<d
         for (Eigen::Index i = 0; i < place.size() && !wanted.bounds.empty(); ++i)
           place[i] = folded(place[i], wanted.bounds[problem.unknowns()[static_cast<std::size_t>(i)]]);
       }
-      ends = scan.all_at(places);
-      for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
+      ends = scan.from(lower_half(scan.all_at(places)), few);
+      std::vector<SearchedPlace> apart;
+      append_distinct(lower_half(ends), apart);
+      ends = scan.from(apart, some);
     }
     std::vector<SearchedPlace> starts;
     for (const std::vector<double>& start : wanted.given) starts.push_back({problem.unknowns_of(start)});
