@@ -11,7 +11,7 @@
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {

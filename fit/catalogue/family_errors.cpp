@@ -9,7 +9,7 @@
 #include "fit/formula/tape_program.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {

@@ -4,7 +4,7 @@
 
 #include "fit/formula/tape_program.hpp"
 #include "fit/study/study_fit.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 #include "fit/study/study_problem.hpp"
 
 /// The tops of curves over the range of a study, to the digits of long double.

@@ -8,7 +8,7 @@
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/scalars/taylor.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 
 /// A formula of one variable in doubles that are rounded outward, and the boxes on which that explains it.
 namespace shadefit {

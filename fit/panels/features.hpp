@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/study/study.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 
 /// What formulas of one variable do between the places at which they are sampled.
 namespace shadefit {

@@ -14,7 +14,7 @@
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {

@@ -11,7 +11,7 @@
 
 #include "fit/formula/tape_program.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 
 /// The parts of a study's range between its edges, where an exchange searches.
 namespace shadefit {

@@ -5,7 +5,7 @@
 
 #include "fit/formula/tape.hpp"
 #include "fit/study/study_fit.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 
 namespace shadefit {
 

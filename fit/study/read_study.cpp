@@ -12,7 +12,7 @@
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_edges.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
