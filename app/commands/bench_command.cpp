@@ -41,7 +41,7 @@ bench::FormsToTime forms_to_time(const BenchOptions& options, const Checkpoint& 
 bench::Trade timed(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const auto forms = [&] { return forms_to_time(options, checkpoint); };
   if (options.device) return trade_on_device(options, forms, checkpoint, progress);
-  return measure(forms(), options.quick ? bench::quick_plan : bench::full_plan, bench::now,
+  return measure(forms(), options.quick ? bench::quick_plan : bench::full_plan,
                  bar(checkpoint, progress, "bench"));
 }
 

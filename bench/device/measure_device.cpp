@@ -78,12 +78,14 @@ struct InPrecision {
   bool is_half() const { return precision == ShaderPrecision::float16; }
 };
 
-InPrecision add_all(Programme& programme, const bench::FormsToTime& forms, ShaderPrecision precision) {
+InPrecision add_all(Programme& programme, const bench::FormsToTime& forms, ShaderPrecision precision,
+                    const std::function<void()>& between) {
   const std::array unit{bench::Range{0, 1}};
   InPrecision all{.precision = precision,
                   .alone = programme.add(chain_alone(), unit, precision),
                   .polynomial = programme.add(bench::multiply_add_chain(), unit, precision)};
   for (std::size_t i = 0; i < forms.forms.size(); ++i) {
+    between();
     const auto& [target, row, shape, function] = forms.forms[i];
     all.forms.push_back(forms.is_timed_before(i)
                             ? all.forms.back()
@@ -121,11 +123,11 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
                                const std::function<void(double)>& between) {
   const DeviceInfo info = for_times.info();
   const auto go_on = [&] { between(0); };
-  Programme programme(for_times, plan, go_on);
-  std::vector<InPrecision> all{add_all(programme, forms, ShaderPrecision::float32)};
-  if (info.has_half) all.push_back(add_all(programme, forms, ShaderPrecision::float16));
+  Programme programme(for_times);
+  std::vector<InPrecision> all{add_all(programme, forms, ShaderPrecision::float32, go_on)};
+  if (info.has_half) all.push_back(add_all(programme, forms, ShaderPrecision::float16, go_on));
   for (InPrecision& one : all) one.errors = errors_on_device(for_values, forms, one.precision, go_on);
-  const std::vector<Rounds> times = programme.run(between);
+  const std::vector<Rounds> times = programme.run(plan, between);
 
   bench::Trade trade{.machine = {bench::this_cpu(), "", info.name, info.driver, name_of_clock(info)},
                      .rounds = plan.rounds,

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <chrono>
 #include <deque>
+#include <random>
 #include <span>
 #include <utility>
 
@@ -61,10 +63,12 @@ std::string code_of(const std::vector<TimedFunction>& timed) {
   return code;
 }
 
-/// Arrays that fit into the first cache together. The points cover the ranges of the arguments evenly but
-/// unsorted: an additive recurrence. Its steps are the powers of 1/x with x^(n+1) = x + 1, which generalise
-/// the golden ratio (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences",
-/// extremelearning.com.au).
+/// Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
+void keep(const void* memory) {
+  asm volatile("" : : "r"(memory) : "memory");
+}
+
+/// Arrays that fit into the first cache together. Their points lie in the ranges of the arguments, unsorted.
 class FilledArrays {
  public:
   explicit FilledArrays(const std::vector<Range>& ranges) {
@@ -72,35 +76,39 @@ class FilledArrays {
     constexpr std::size_t bytes = 16 * 1024;
     size_ = bytes / (sizeof(float) * (ranges.size() + 1)) / 64 * 64;
     // Each array has another offset in its page; otherwise loads would wait for stores.
-    stride_ = (size_ + 1023) / 1024 * 1024 + 128;
-    memory_.resize((ranges.size() + 1) * stride_);
-    double root = 2;
-    for (int i = 0; i < 50; ++i) root = std::pow(1 + root, 1 / static_cast<double>(ranges.size() + 1));
-    double step = 1;
+    const std::size_t stride = (size_ + 1023) / 1024 * 1024 + 128;
+    memory_.resize((ranges.size() + 1) * stride);
+    std::minstd_rand random;
     for (const Range& range : ranges) {
-      step /= root;
-      float* const array = &memory_[in_.size() * stride_];
-      for (std::size_t i = 0; i < size_; ++i) {
-        const double share = std::fmod(step * static_cast<double>(i + 1), 1.0);
-        array[i] = static_cast<float>(range.from + share * (range.to - range.from));
-      }
+      std::uniform_real_distribution within(range.from, range.to);
+      float* const array = &memory_[in_.size() * stride];
+      std::generate_n(array, size_, [&] { return static_cast<float>(within(random)); });
       in_.push_back(array);
     }
+    out_ = &memory_[in_.size() * stride];
   }
 
   Work work(Loop loop) {
-    float* const out = &memory_[in_.size() * stride_];
-    return {[=, this] {
-              loop(in_.data(), out, static_cast<long>(size_));
-              keep(out);
+    const auto run = [=, this](long calls) {
+      const auto start = std::chrono::steady_clock::now();
+      for (long i = 0; i < calls; ++i) {
+        loop(in_.data(), out_, static_cast<long>(size_));
+        keep(out_);
+      }
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    return {[=](long calls) {
+              run(calls / 8 + 1);  // an eighth of a visit restores caches and branch prediction
+              return run(calls);
             },
-            size_};
+            static_cast<double>(size_)};
   }
 
  private:
-  std::size_t size_, stride_;
+  std::size_t size_;
   std::vector<float> memory_;
   std::vector<const float*> in_;
+  float* out_;
 };
 
 }  // namespace
@@ -127,8 +135,7 @@ std::string exp2_in_c(int degree) {
              static_cast<int>(Limits::rounder), Limits::mantissa_bits);
 }
 
-Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clock,
-              const std::function<void(double)>& between) {
+Trade measure(const FormsToTime& forms, const TimingPlan& plan, const std::function<void(double)>& between) {
   std::deque<FilledArrays> arrays;  // work points to them
   for (const FormTarget& target : forms.targets) arrays.emplace_back(target.ranges);
   arrays.emplace_back(std::vector{Range{0, 1}});
@@ -145,7 +152,7 @@ Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clo
   std::vector<Work> work;
   for (const TimedFunction& one : timed)
     work.push_back(arrays[one.arrays].work(reinterpret_cast<Loop>(code.at("loop_" + one.function.name))));
-  const std::vector<Samples> samples = time_interleaved(work, plan, clock, between);
+  const std::vector<Samples> samples = time_interleaved(work, plan, between);
 
   Trade trade{.machine = {this_cpu(), static_cast<const char*>(code.at("compiler"))},
               .rounds = plan.rounds,

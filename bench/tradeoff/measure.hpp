@@ -18,7 +18,6 @@ std::string exp2_in_c(int degree);
 /// Times every form in float, one number at a time: compiles the C code that `emit` writes for it, and runs
 /// it over an array in the first cache. All forms of one shape share one time. `between` receives the
 /// finished share. Throws UserError if no C compiler works.
-Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clock,
-              const std::function<void(double)>& between);
+Trade measure(const FormsToTime& forms, const TimingPlan& plan, const std::function<void(double)>& between);
 
 }  // namespace shadefit::bench

@@ -29,8 +29,7 @@ struct Spread {
   double width() const { return upper_quartile - lower_quartile; }
 };
 
-/// Median and quartiles of at least one sample, linear between two of them. Throws std::invalid_argument for
-/// none.
+/// Median and quartiles of at least one sample, linear between two of them.
 Spread spread_of(std::vector<double> samples);
 
 /// A form with one set of its constants, its time and its error.
