@@ -1,17 +1,23 @@
 #include "bench/tradeoff/measure.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <deque>
 #include <random>
 #include <span>
 #include <utility>
 
 #include "approx/exp2_polynomial.hpp"
-#include "bench/tradeoff/compiled_code.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/output.hpp"
+#include "reports/io/scratch_directory.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -135,6 +141,27 @@ std::string exp2_in_c(int degree) {
              static_cast<int>(Limits::rounder), Limits::mantissa_bits);
 }
 
+std::shared_ptr<void> compiled_code(const std::string& source) {
+  constexpr const char* flags =
+      "-std=c11 -O3 -fno-tree-vectorize -fno-tree-slp-vectorize -ffp-contract=off -fno-math-errno -fPIC -shared";
+  const char* chosen = std::getenv("CC");
+  const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "cc";
+  const ScratchDirectory scratch;
+  const auto file = [&](const char* name) { return (scratch.path() / name).string(); };
+  write_files(scratch.path(), {{"forms.c", source}});
+  const std::string command = fmt::format("{} {} -o '{}' '{}' -lm 2>'{}'", compiler, flags, file("forms.so"),
+                                          file("forms.c"), file("said"));
+  if (std::system(command.c_str()) != 0) {
+    const std::string said = read_file(file("said"));
+    throw UserError(fmt::format("the C compiler '{}' (variable CC, else cc) cannot compile the forms: {}",
+                                printable(compiler), printable(said.substr(0, said.find('\n')))));
+  }
+  void* const library = ::dlopen(file("forms.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr)
+    throw UserError(fmt::format("cannot load the output of the C compiler: {}", printable(::dlerror())));
+  return {library, ::dlclose};
+}
+
 Trade measure(const FormsToTime& forms, const TimingPlan& plan, const std::function<void(double)>& between) {
   std::deque<FilledArrays> arrays;  // work points to them
   for (const FormTarget& target : forms.targets) arrays.emplace_back(target.ranges);
@@ -148,13 +175,14 @@ Trade measure(const FormsToTime& forms, const TimingPlan& plan, const std::funct
   }
   for (std::size_t i = 0; i < timed.size(); ++i) timed[i].function.name = fmt::format("form_{}", i);
   between(0);
-  const CompiledCode code(code_of(timed));
+  const std::shared_ptr<void> code = compiled_code(code_of(timed));
   std::vector<Work> work;
   for (const TimedFunction& one : timed)
-    work.push_back(arrays[one.arrays].work(reinterpret_cast<Loop>(code.at("loop_" + one.function.name))));
+    work.push_back(arrays[one.arrays].work(
+        reinterpret_cast<Loop>(::dlsym(code.get(), ("loop_" + one.function.name).c_str()))));
   const std::vector<Samples> samples = time_interleaved(work, plan, between);
 
-  Trade trade{.machine = {this_cpu(), static_cast<const char*>(code.at("compiler"))},
+  Trade trade{.machine = {this_cpu(), static_cast<const char*>(::dlsym(code.get(), "compiler"))},
               .rounds = plan.rounds,
               .shows_all_sets = forms.are_of_a_study};
   for (const FormTarget& target : forms.targets) trade.targets.push_back(target.heading);

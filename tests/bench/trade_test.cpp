@@ -1,11 +1,12 @@
 #include "bench/tradeoff/trade.hpp"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
-#include "bench/tradeoff/compiled_code.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
 #include "bench/tradeoff/timing.hpp"
@@ -228,9 +229,10 @@ TEST(Measure, Exp2InCIsThatOfTheForms) {
   in.insert(in.end(), {-200, -127, -126.5F, 0.5F, 1e30F, -1e30F});
   shadefit::testing::for_each_degree<float>([&]<class P>(P) {
     const std::string name = "exp2_degree_" + std::to_string(P::record.degree);
-    const CompiledCode code(exp2_in_c(P::record.degree) +
-                            "float call(float x);\nfloat call(float x) { return " + name + "(x); }\n");
-    const auto call = reinterpret_cast<float (*)(float)>(code.at("call"));
+    const std::shared_ptr<void> code =
+        compiled_code(exp2_in_c(P::record.degree) + "float call(float x);\nfloat call(float x) { return " +
+                      name + "(x); }\n");
+    const auto call = reinterpret_cast<float (*)(float)>(::dlsym(code.get(), "call"));
     for (const float x : in) EXPECT_EQ(call(x), exp2_polynomial<P>(x)) << name << " of " << x;
   });
 }
