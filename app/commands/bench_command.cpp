@@ -22,7 +22,7 @@ namespace shadefit {
 namespace {
 
 /// The forms of the catalogue, or of a study, in the language of what times them.
-bench::FormsToTime forms_to_time(const BenchOptions& options, const Checkpoint& checkpoint) {
+bench::Trade forms_to_time(const BenchOptions& options, const Checkpoint& checkpoint) {
   const Language language = options.device ? Language::glsl : Language::c;
   if (options.study) {
     const StudyFile file = named_study(*options.study, study_folders(options.studies));

@@ -15,7 +15,7 @@ namespace shadefit {
 Outcome list_devices_command(const BenchOptions& options);
 
 /// `bench --device`: times and errors of forms; these are made once the device is open.
-bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::FormsToTime()>& forms,
+bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::Trade()>& forms,
                              const Checkpoint& checkpoint, const Progress& progress);
 
 /// What evaluates forms: this processor or a graphics device.

@@ -21,7 +21,7 @@ Outcome list_devices_command(const BenchOptions& options) {
   return {0, write_console(table, Precision::report, options.terminal), ""};
 }
 
-bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::FormsToTime()>& forms,
+bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::Trade()>& forms,
                              const Checkpoint& checkpoint, const Progress& progress) {
   const auto plan = options.quick ? device::quick_device_plan : device::full_device_plan;
   device::VulkanDevice for_times({.place = *options.device, .has_buffers_on_device = true});

@@ -37,15 +37,14 @@ std::vector<Real> values_of(forms::Kernel<Real> kernel, const Places& places,
   return kernel(in, parameters);
 }
 
-FormTarget made_target(const forms::Target& target) {
+TimedTarget made_target(const forms::Target& target) {
   const forms::FormEntry& exact = target.forms.front();
-  FormTarget made{{std::string(target.id), std::string(target.id) + ": " + std::string(target.text)},
-                  {},
-                  grid_of(target),
-                  [kernel = forms::kernels_of(exact.id).front().in_double,
-                   given = forms::parameters_of(target, exact.constants.front())](const Places& places) {
-                    return values_of(kernel, places, given);
-                  }};
+  TimedTarget made{.id = std::string(target.id),
+                   .title = std::string(target.id) + ": " + std::string(target.text),
+                   .places = grid_of(target),
+                   .truth = [kernel = forms::kernels_of(exact.id).front().in_double,
+                             given = forms::parameters_of(target, exact.constants.front())](
+                                const Places& places) { return values_of(kernel, places, given); }};
   for (const std::vector<float>& axis : made.places) {
     const auto [low, high] = std::ranges::minmax(axis);
     made.ranges.push_back({low, high});
@@ -61,22 +60,22 @@ std::vector<std::string> arguments_of(forms::Arguments arguments) {
 }
 
 /// Appends a form with an exp2: a row for each set of its constants.
-void append(FormsToTime& all, const forms::Target& target, const forms::FormEntry& form,
+void append(Trade& all, const forms::Target& target, const forms::FormEntry& form,
             const forms::FormKernels& kernels, const std::vector<double>& truth) {
   for (const forms::Constants& constants : form.constants) {
     TimedForm row{.target = std::string(target.id),
                   .form = std::string(form.id),
                   .constants = constants.id,
                   .label = std::string(form.id),
-                  .exp2_degree = kernels.exp2_degree};
+                  .exp2_degree = kernels.exp2_degree,
+                  .function = function_of(target, form, constants)};
     if (constants.id != "none") row.label += ", " + constants.id;
     if (row.exp2_degree > 0) row.label += ", exp2 of degree " + std::to_string(row.exp2_degree);
     row.max_abs_error = largest_error(
         values_of(kernels.in_float, all.targets.back().places, forms::parameters_of(target, constants)),
         truth);
-    const std::string shape = full_id(row);
-    all.forms.push_back(
-        {all.targets.size() - 1, std::move(row), shape, function_of(target, form, constants)});
+    row.shape = full_id(row);
+    all.forms.push_back(std::move(row));
   }
 }
 
@@ -109,9 +108,9 @@ ShaderFunction function_of(const forms::Target& target, const forms::FormEntry& 
   return {form_name, arguments, forms::kernels_of(form.id).front().in_symbols(one, numbers).front()};
 }
 
-FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
-                            const std::vector<std::string>& targets, Exp2Kinds exp2) {
-  FormsToTime all;
+Trade catalogue_forms(const std::vector<forms::Target>& catalogue, const std::vector<std::string>& targets,
+                      Exp2Kinds exp2) {
+  Trade all;
   for (const forms::Target& target : catalogue) {
     const bool is_wanted = targets.empty() || std::ranges::find(targets, target.id) != targets.end();
     if (!is_wanted || is_of_several_lights(target)) continue;

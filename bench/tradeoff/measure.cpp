@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <deque>
+#include <map>
 #include <random>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "approx/exp2_polynomial.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
@@ -25,13 +26,6 @@ namespace {
 /// Calls a function for every element of arrays. The type is the same for any number of variables.
 using Loop = void (*)(const float* const* in, float* out, long size);
 
-/// A function of the code.
-struct TimedFunction {
-  ShaderFunction function;
-  int exp2_degree;
-  std::size_t arrays;  ///< the place of its arrays
-};
-
 /// The loop that calls a function.
 std::string loop_of(const ShaderFunction& function) {
   std::string arguments;
@@ -44,13 +38,13 @@ std::string loop_of(const ShaderFunction& function) {
 }
 
 /// The functions with an exp2 of that degree, and their loops.
-std::string code_with_exp2(int degree, const std::vector<TimedFunction>& timed) {
+std::string code_with_exp2(int degree, const Trade& trade) {
   std::vector<ShaderFunction> functions;
   std::string loops;
-  for (const TimedFunction& one : timed) {
-    if (one.exp2_degree != degree) continue;
-    functions.push_back(one.function);
-    loops += loop_of(one.function);
+  for (std::size_t i = 0; i < trade.forms.size(); ++i) {
+    if (trade.forms[i].exp2_degree != degree || trade.is_timed_before(i)) continue;
+    functions.push_back(trade.forms[i].function);
+    loops += loop_of(functions.back());
   }
   if (functions.empty()) return "";
   const std::string code = shader_code(functions, Language::c, ShaderPrecision::float32, {}) + loops;
@@ -58,14 +52,14 @@ std::string code_with_exp2(int degree, const std::vector<TimedFunction>& timed) 
   return fmt::format("{}#define exp2f exp2_degree_{}\n{}#undef exp2f\n", exp2_in_c(degree), degree, code);
 }
 
-std::string code_of(const std::vector<TimedFunction>& timed) {
+std::string code_of(const Trade& trade) {
   // The name of the compiler is its own.
   std::string code =
       "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
       "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
-  code += code_with_exp2(0, timed);
+  code += code_with_exp2(0, trade);
   for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree)
-    code += code_with_exp2(degree, timed);
+    code += code_with_exp2(degree, trade);
   return code;
 }
 
@@ -162,39 +156,32 @@ std::shared_ptr<void> compiled_code(const std::string& source) {
   return {library, ::dlclose};
 }
 
-Trade measure(const FormsToTime& forms, const TimingPlan& plan, const std::function<void(double)>& between) {
-  std::deque<FilledArrays> arrays;  // work points to them
-  for (const FormTarget& target : forms.targets) arrays.emplace_back(target.ranges);
-  arrays.emplace_back(std::vector{Range{0, 1}});
-  std::vector<TimedFunction> timed{{multiply_add_chain(), 0, arrays.size() - 1}};
-  std::vector<std::size_t> time_of;  // by form: the place of its function
-  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
-    const FormToTime& form = forms.forms[i];
-    if (!forms.is_timed_before(i)) timed.push_back({form.function, form.row.exp2_degree, form.target});
-    time_of.push_back(timed.size() - 1);
-  }
-  for (std::size_t i = 0; i < timed.size(); ++i) timed[i].function.name = fmt::format("form_{}", i);
+Trade measure(Trade trade, const TimingPlan& plan, const std::function<void(double)>& between) {
+  std::vector<TimedForm>& forms = trade.forms;
+  forms.insert(forms.begin(),
+               {.form = "multiply-add", .label = "multiply-add", .function = multiply_add_chain()});
+  for (std::size_t i = 0; i < forms.size(); ++i) forms[i].function.name = fmt::format("form_{}", i);
+  std::map<std::string, FilledArrays> arrays;  // work points to them
+  arrays.try_emplace("", std::vector{Range{0, 1}});
+  for (const TimedTarget& target : trade.targets) arrays.try_emplace(target.id, target.ranges);
   between(0);
-  const std::shared_ptr<void> code = compiled_code(code_of(timed));
+  const std::shared_ptr<void> code = compiled_code(code_of(trade));
   std::vector<Work> work;
-  for (const TimedFunction& one : timed)
-    work.push_back(arrays[one.arrays].work(
-        reinterpret_cast<Loop>(::dlsym(code.get(), ("loop_" + one.function.name).c_str()))));
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (trade.is_timed_before(i)) continue;
+    void* const loop = ::dlsym(code.get(), ("loop_" + forms[i].function.name).c_str());
+    work.push_back(arrays.at(forms[i].target).work(reinterpret_cast<Loop>(loop)));
+  }
   const std::vector<Samples> samples = time_interleaved(work, plan, between);
 
-  Trade trade{.machine = {this_cpu(), static_cast<const char*>(::dlsym(code.get(), "compiler"))},
-              .rounds = plan.rounds,
-              .shows_all_sets = forms.are_of_a_study};
-  for (const FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
-  Spread unit = spread_of(samples.front().ns);
+  trade.machine = {this_cpu(), static_cast<const char*>(::dlsym(code.get(), "compiler"))};
+  trade.rounds = plan.rounds;
+  auto next = samples.begin();
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    forms[i].ns = trade.is_timed_before(i) ? forms[i - 1].ns : spread_of((next++)->ns);
+  Spread& unit = forms.front().ns;
   for (double* ns : {&unit.median, &unit.lower_quartile, &unit.upper_quartile}) *ns /= multiply_adds_of_chain;
-  trade.forms.push_back({.form = "multiply-add", .label = "multiply-add", .ns = unit, .multiply_adds = 1.0});
-  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
-    TimedForm row = forms.forms[i].row;
-    row.ns = spread_of(samples.at(time_of[i]).ns);
-    row.multiply_adds = row.ns.median / unit.median;
-    trade.forms.push_back(std::move(row));
-  }
+  for (TimedForm& form : forms) form.multiply_adds = form.ns.median / unit.median;
   return trade;
 }
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "bench/tradeoff/timed_forms.hpp"
 #include "bench/tradeoff/timing.hpp"
+#include "bench/tradeoff/trade.hpp"
 
 /// Times forms on this processor.
 namespace shadefit::bench {
@@ -24,6 +24,6 @@ std::shared_ptr<void> compiled_code(const std::string& source);
 /// Times every form in float, one number at a time: compiles the C code that `emit` writes for it, and runs
 /// it over an array in the first cache. All forms of one shape share one time. `between` receives the
 /// finished share. Throws UserError if no C compiler works.
-Trade measure(const FormsToTime& forms, const TimingPlan& plan, const std::function<void(double)>& between);
+Trade measure(Trade trade, const TimingPlan& plan, const std::function<void(double)>& between);
 
 }  // namespace shadefit::bench

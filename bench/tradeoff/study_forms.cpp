@@ -33,24 +33,31 @@ void require_names(const std::vector<std::string>& variables) {
   }
 }
 
-TimedForm row_of(const StudyContender& contender) {
+TimedForm form_of(const StudyComparison& comparison, const StudyContender& contender) {
   const std::string& origin = contender.origin.unescaped();
-  TimedForm row;
-  row.form = contender.form;
-  row.constants = origin;
   // "linear, minimax" for a fit, "cubic, Unity Technologies" for a published set.
-  row.label =
-      contender.form + ", " + (contender.published == nullptr ? origin : origin.substr(0, origin.find(',')));
-  return row;
+  const std::string by = contender.published == nullptr ? origin : origin.substr(0, origin.find(','));
+  return {.form = contender.form,
+          .constants = origin,
+          .label = contender.form + ", " + by,
+          .max_abs_error =
+              shadefit::largest_error(formulas_of(comparison, contender), contender.values).magnitude,
+          .function = {form_name, comparison.variables, contender.code},
+          .shape = contender.form + ": " + to_text(contender.operations)};
 }
 
-void append(FormsToTime& all, const StudyComparison& comparison, TimedTarget heading, Language language) {
+void append(Trade& all, const StudyComparison& comparison, TimedTarget target, Language language) {
   require_names(comparison.variables);
   const ReadStudy read = formulas_of(comparison, comparison.contenders.front());
-  FormTarget target{std::move(heading), {}, {}, {}};
   for (const StudyAxis& axis : read.axes) target.ranges.push_back({axis.lower, axis.upper});
-  std::vector<FormToTime> added;
-  const std::size_t place = all.targets.size();
+  std::vector<TimedForm> forms;
+  for (const StudyContender& contender : comparison.contenders) {
+    forms.push_back(form_of(comparison, contender));
+    if (!has_code(forms.back().function, language))
+      throw UserError(fmt::format("bench has no code in {} for the form '{}'", shadefit::name(language),
+                                  contender.formula));
+  }
+  std::ranges::stable_sort(forms, {}, &TimedForm::shape);
   if (comparison.study.rows == nullptr) {
     // About as many as the catalogue's grid has.
     const double steps = std::pow(16384, 1 / static_cast<double>(target.ranges.size())) + 0.5;
@@ -61,24 +68,15 @@ void append(FormsToTime& all, const StudyComparison& comparison, TimedTarget hea
       for (const std::vector<float>& axis : places) coordinates.emplace_back(axis.begin(), axis.end());
       return values_at(tape, coordinates, {});
     };
-    const ShaderFunction itself{form_name, comparison.variables, read.target};
-    const TimedForm row{.form = "target", .label = "the target: " + comparison.study.target};
-    if (has_code(itself, language)) all.forms.push_back({place, row, "target", itself});
+    const TimedForm itself{.form = "target",
+                           .label = "the target: " + comparison.study.target,
+                           .function = {form_name, comparison.variables, read.target},
+                           .shape = "target"};
+    if (has_code(itself.function, language)) forms.insert(forms.begin(), itself);
   }
-  for (const StudyContender& contender : comparison.contenders) {
-    const ShaderFunction function{form_name, comparison.variables, contender.code};
-    if (!has_code(function, language))
-      throw UserError(fmt::format("bench has no code in {} for the form '{}'", shadefit::name(language),
-                                  contender.formula));
-    TimedForm row = row_of(contender);
-    row.max_abs_error =
-        shadefit::largest_error(formulas_of(comparison, contender), contender.values).magnitude;
-    added.push_back({place, row, contender.form + ": " + to_text(contender.operations), function});
-  }
-  std::ranges::stable_sort(added, {}, &FormToTime::shape);
-  all.forms.insert(all.forms.end(), added.begin(), added.end());
-  for (FormToTime& form : all.forms) {
-    if (form.target == place) form.row.target = target.heading.id;
+  for (TimedForm& form : forms) {
+    form.target = target.id;
+    all.forms.push_back(std::move(form));
   }
   all.targets.push_back(std::move(target));
 }
@@ -99,16 +97,14 @@ Places grid_over(const std::vector<Range>& ranges, const std::vector<std::size_t
   return places;
 }
 
-FormsToTime study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons,
-                        Language language) {
-  FormsToTime all;
-  all.are_of_a_study = true;
+Trade study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons, Language language) {
+  Trade all{.shows_all_sets = true};
   for (const StudyComparison& comparison : comparisons) {
     if (comparison.contenders.empty())
       throw UserError("no fit of '" + id +
                       "' converged, and nothing was published: there is nothing to time");
     const std::string number = comparisons.size() == 1 ? "" : fmt::format("-{}", all.targets.size() + 1);
-    append(all, comparison, {id + number, for_terminal(target_of(comparison))}, language);
+    append(all, comparison, {id + number, for_terminal(shadefit::target_of(comparison))}, language);
   }
   return all;
 }

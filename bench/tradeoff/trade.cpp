@@ -26,6 +26,10 @@ std::string this_cpu() {
   return "unknown";
 }
 
+const TimedTarget& target_of(const Trade& trade, const TimedForm& form) {
+  return *std::ranges::find(trade.targets, form.target, &TimedTarget::id);
+}
+
 std::string precision_of(const TimedForm& timed) {
   return timed.is_half ? "half" : "float";
 }

@@ -9,6 +9,7 @@
 
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "bench/tradeoff/timing.hpp"
 #include "reports/io/writers.hpp"
 #include "tests/bench/exp2_choices.hpp"
@@ -214,12 +215,12 @@ TEST(MultiplyAdds, AreWhatTheirNameSays) {
 
 TEST(CatalogueForms, AreAllOnesOfOneLight) {
   const auto catalogue = forms::catalogue();
-  const FormsToTime all = catalogue_forms(catalogue, {}, Exp2Kinds::library),
-                    some = catalogue_forms(catalogue, {"schlick"}, Exp2Kinds::library);
+  const Trade all = catalogue_forms(catalogue, {}, Exp2Kinds::library),
+              some = catalogue_forms(catalogue, {"schlick"}, Exp2Kinds::library);
   EXPECT_EQ(all.targets.size(), 5U);
   EXPECT_GT(all.forms.size(), 70U);
   ASSERT_EQ(some.targets.size(), 1U);
-  for (const FormToTime& form : all.forms) EXPECT_TRUE(form.row.max_abs_error) << form.row.label;
+  for (const TimedForm& form : all.forms) EXPECT_TRUE(form.max_abs_error) << form.label;
 }
 
 // The polynomials in C compute the bits that they have in C++.
@@ -239,7 +240,7 @@ TEST(Measure, Exp2InCIsThatOfTheForms) {
 
 TEST(Measure, EveryFormHasATime) {
   const auto catalogue = forms::catalogue();
-  const FormsToTime forms = catalogue_forms(catalogue, {"schlick"}, Exp2Kinds::polynomials);
+  const Trade forms = catalogue_forms(catalogue, {"schlick"}, Exp2Kinds::polynomials);
   const Trade trade = measure(forms, {2, 1e-6}, [](double) {});
   ASSERT_EQ(trade.forms.size(), 1 + forms.forms.size());
   for (const TimedForm& row : trade.forms) {
