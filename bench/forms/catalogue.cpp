@@ -63,10 +63,10 @@ std::vector<Constants> constants_of(std::string_view id) {
 
 /// The best pair for the cheapest polynomial instead of exp2.
 void append_pair_for_exp2(std::vector<Constants>& all) {
-  const PairForExp2 pair = fit_pair_for_exp2(least_exp2_degree);
+  const StudyFit pair = fit_pair_for_exp2(least_exp2_degree);
   if (pair.status != Status::converged) return;
   all.push_back({"minimax-exp2-" + std::to_string(least_exp2_degree),
-                 {computed_number("a", pair.a), computed_number("b", pair.b)}});
+                 {computed_number("a", pair.parameters[1]), computed_number("b", pair.parameters[0])}});
 }
 
 /// The offsets of a lobe that are conventions and not fits: of the plain form, and of a von Mises-Fisher

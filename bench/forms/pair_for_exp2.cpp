@@ -30,15 +30,13 @@ std::string polynomial(int degree) {
 
 }  // namespace
 
-PairForExp2 fit_pair_for_exp2(int degree) {
+StudyFit fit_pair_for_exp2(int degree) {
   const Study study{.target = polynomial(degree),
                     .form = std::string("schlick_weight(") + cosine_of_exponent + ")",
                     .over = {{"x", lowest_exponent, "0"}},
                     .definitions = {{"n", {}, "floor(x + 1/2)"}, {"r", {}, "x - n"}},
                     .starts = {{"a", -5}, {"b", -7}}};
-  const StudyFit fit = fit_study({.study = study, .norm = Norm::minimax});
-  if (fit.status != Status::converged) return {.status = fit.status, .why = fit.why};
-  return {fit.parameters[1], fit.parameters[0], fit.level.value(), fit.status};  // b is the first in the form
+  return fit_study({.study = study, .norm = Norm::minimax});
 }
 
 }  // namespace shadefit
