@@ -13,6 +13,7 @@
 #include "bench/forms/accuracy.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/input/known.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/options/bench_options.hpp"
-#include "bench/forms/swept_form.hpp"
-#include "bench/tradeoff/timed_forms.hpp"
+#include "bench/forms/float_errors.hpp"
+#include "bench/tradeoff/trade.hpp"
 
 /// What `bench` does on graphics devices. A build without SHADEFIT_DEVICE has only app/device/no_device.cpp,
 /// in which each function throws a UserError that names the option and the packages.

@@ -5,6 +5,7 @@
 #include "app/device/device_commands.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/measure_device.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/table.hpp"
 #include "reports/io/writers.hpp"
