@@ -15,25 +15,25 @@ int take_one(const sigset_t& held) {
 
 }  // namespace
 
-HeldSignals hold_interrupts() {
-  HeldSignals signals{};
-  sigemptyset(&signals.held);
+sigset_t hold_interrupts() {
+  sigset_t held{};
+  sigemptyset(&held);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
-    if (action.sa_handler != SIG_IGN) sigaddset(&signals.held, signal);
+    if (action.sa_handler != SIG_IGN) sigaddset(&held, signal);
   }
-  pthread_sigmask(SIG_BLOCK, &signals.held, nullptr);
-  return signals;
+  pthread_sigmask(SIG_BLOCK, &held, nullptr);
+  return held;
 }
 
-void take_waiting(const HeldSignals& signals) {
-  while (take_one(signals.held) > 0) {
+void take_waiting(const sigset_t& held) {
+  while (take_one(held) > 0) {
   }
 }
 
-Checkpoint interruptible(const HeldSignals& signals) {
-  return [held = signals.held] {
+Checkpoint interruptible(const sigset_t& held) {
+  return [held] {
     const int signal = take_one(held);
     if (signal > 0) throw Interrupted{signal};
   };

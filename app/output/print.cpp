@@ -36,10 +36,10 @@ class SignalDescriptor {
 
 }  // namespace
 
-Printed print(int descriptor, std::string_view text, const HeldSignals& signals) {
+Printed print(int descriptor, std::string_view text, const sigset_t& held) {
   // A pipe that is ready for writing takes this much at once, so no write blocks.
   constexpr std::size_t most_at_once = PIPE_BUF;
-  const SignalDescriptor signal(signals.held);
+  const SignalDescriptor signal(held);
   while (!text.empty()) {
     std::array<pollfd, 2> ready{pollfd{descriptor, POLLOUT, 0}, pollfd{signal.get(), POLLIN, 0}};
     if (::poll(ready.data(), ready.size(), -1) < 0) {
