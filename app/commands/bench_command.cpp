@@ -3,14 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/study_commands.hpp"
+#include "app/commands/commands.hpp"
 #include "app/device/device_commands.hpp"
-#include "app/options/bench_options.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
-#include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
-#include "bench/forms/accuracy.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
 #include "bench/tradeoff/timed_forms.hpp"
@@ -48,15 +45,10 @@ bench::Trade timed(const BenchOptions& options, const Checkpoint& checkpoint, co
 
 }  // namespace
 
-std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& progress) {
-  const auto show = bar(progress, "errors of every form");
-  return {{accuracy_file, write_csv(forms::accuracy_table(checkpoint, show), Precision::report)}};
-}
-
 Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (options.list_devices) return list_devices_command(options);
   if (options.exhaustive) return exhaustive_command(options, checkpoint, progress);
-  const OutputFolder folder(options.out);
+  require_writable(options.out);
   const bench::Trade trade = timed(options, checkpoint, progress);
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
   auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
@@ -72,7 +64,8 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
                     write_console(bench::times_table(trade, target.id), Precision::report, options.terminal));
   out.pop_back();  // the next line is an empty one too
   out += said + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
-  return {failed.empty() ? 0 : 1, out, failed, folder.prepare(files, missing, options.force, checkpoint)};
+  return {failed.empty() ? 0 : 1, out, failed,
+          prepare_output(options.out, files, missing, options.force, checkpoint)};
 }
 
 }  // namespace shadefit

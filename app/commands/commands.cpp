@@ -7,12 +7,11 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 
-#include "app/commands/study_commands.hpp"
-#include "app/lint/explain_number.hpp"
+#include "app/lint/lint_command.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
-#include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
+#include "bench/forms/accuracy.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
@@ -24,6 +23,7 @@
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
 #include "reports/rows/fit_json.hpp"
+#include "reports/rows/stress_tables.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/report.hpp"
@@ -204,14 +204,14 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
     return run_study_command(named_study(*options.study, study_folders(options.studies)), options,
                              checkpoint);
   refuse_studies(options);
-  const OutputFolder folder(options.out);
+  require_writable(options.out);
   const Results results = compute_results(options.only, checkpoint);
   // The report shows only figures with a picture, so these are drawn first.
   auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
   auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
-  const auto put = folder.prepare(files, missing, options.force, checkpoint);
+  const auto put = prepare_output(options.out, files, missing, options.force, checkpoint);
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
@@ -262,12 +262,12 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     return check_study_command(study, options, checkpoint);
   }
   const Baseline baseline = read_baseline(options.baseline);
-  // Reads the baselines of the slow tables too, before anything is computed.
-  std::vector<Baseline> slow_baselines;
-  for (const SlowTables& slow : options.all ? slow_tables : std::vector<SlowTables>{}) {
-    slow_baselines.push_back(
-        read_tables(std::filesystem::path(options.baseline) / slow_tables_folder, slow.names));
-  }
+  // Reads the baseline of the slow tables too, before anything is computed.
+  constexpr const char* accuracy_file = "accuracy.csv";
+  std::optional<Baseline> slow;
+  if (options.all)
+    slow = read_tables(std::filesystem::path(options.baseline) / "slow",
+                       {forms_stress_file, fits_stress_file, accuracy_file});
   std::string recomputed;
   if (options.all) {
     for (const auto& path : study_files(study_folders(options.studies)))
@@ -275,9 +275,11 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
   }
   const Results results = compute_results({}, checkpoint);
   CheckedTables checked = compare(baseline, results);
-  for (std::size_t i = 0; i < slow_baselines.size(); ++i) {
-    const auto files = slow_tables[i].make(checkpoint, progress);
-    const auto more = compare_files(slow_baselines[i], files);
+  if (slow) {
+    std::vector<File> files = stress_tables(checkpoint);
+    const Table accuracy = forms::accuracy_table(checkpoint, bar(progress, "errors of every form"));
+    files.push_back({accuracy_file, write_csv(accuracy, Precision::report)});
+    const auto more = compare_files(*slow, files);
     checked.drifts.insert(checked.drifts.end(), more.drifts.begin(), more.drifts.end());
     checked.cells += more.cells;
   }

@@ -5,10 +5,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/lint/lint_command.hpp"
-#include "app/options/bench_options.hpp"
 #include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
-#include "app/options/scene_options.hpp"
 #include "app/output/interrupt.hpp"
 
 namespace shadefit {

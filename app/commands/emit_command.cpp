@@ -113,13 +113,14 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   }
   if (options.fit.study.table == "-")
     throw UserError("--table '-' does not go with emit: the code names its table, for --check");
-  const auto file = options.out ? std::optional(OutputFile("--out", *options.out, "the code")) : std::nullopt;
+  const auto file =
+      options.out ? std::optional(output_file("--out", *options.out, "the code")) : std::nullopt;
   const StudyFile study =
       options.better ? compared_study(options.fit, checkpoint) : chosen_study(options.fit, checkpoint);
   const std::string code = study_code(study, options, checkpoint, progress);
   if (!file) return {0, code, ""};
   return {0, fmt::format("Code: {}\n", printable(*options.out)), "",
-          file->prepare(code, options.force, checkpoint)};
+          prepare_output_file(*file, code, options.force, checkpoint)};
 }
 
 }  // namespace shadefit

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "app/commands/commands.hpp"
 #include "app/device/device_commands.hpp"
 #include "app/output/output_file.hpp"
 #include "fit/input/known.hpp"
@@ -88,8 +89,7 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
   const std::vector<forms::Target> catalogue = forms::catalogue();
   const std::vector<bench::SweptForm> swept = swept_forms(catalogue, options);
   const bool is_one = *options.exhaustive != "all";
-  std::optional<OutputFolder> folder;
-  if (!is_one) folder.emplace(options.out);
+  if (!is_one) require_writable(options.out);
   const Sweeper sweeper = options.device ? sweeper_on_device(options) : Sweeper{"", bench::subject_of};
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "above 1",
                "below 0", "beyond"}};
@@ -110,13 +110,13 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
                   (sweeper.device.empty() ? "" : "on " + sweeper.device + "\n") +
                       write_console(table, Precision::report, options.terminal) + beyond + histogram,
                   ""};
-  if (!folder) return outcome;
+  if (is_one) return outcome;
   const File file{
       "errors.csv",
       write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
   outcome.out +=
       fmt::format("\nResult: {}\n", printable((std::filesystem::path(options.out) / file.name).string()));
-  outcome.put = folder->prepare({file}, {}, options.force, checkpoint);
+  outcome.put = prepare_output(options.out, {file}, {}, options.force, checkpoint);
   return outcome;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "fit/rounding/evaluate_study.hpp"

@@ -50,7 +50,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     throw UserError(fmt::format("--out '{}' takes one certificate, not {}: give one value of each --given",
                                 *options.out, studies.size()));
   const auto out =
-      options.out ? std::optional(OutputFile("--out", *options.out, "the certificate")) : std::nullopt;
+      options.out ? std::optional(output_file("--out", *options.out, "the certificate")) : std::nullopt;
   std::vector<ProvenStudy> proofs;
   const Checkpoint next = stepping(checkpoint, progress, "certify", studies.size());
   std::string err;
@@ -68,7 +68,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   std::function<void()> put;
-  if (out) put = out->prepare(certificate_text(first), options.force, checkpoint);
+  if (out) put = prepare_output_file(*out, certificate_text(first), options.force, checkpoint);
   if (options.fit.json)
     return {err.empty() ? 0 : 1, json_text_of_each(json_array(proofs, study_proof_json)), err, put};
   std::string text = (file.id.empty() ? "" : file.id + ": ") + for_terminal(proof_headline(first)) + "\n" +

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/options/scene_options.hpp"
 #include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/scene_code.hpp"
@@ -41,8 +40,7 @@ std::string code_command(const SceneOptions& options) {
 
 Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint) {
   scene::Wanted wanted = wanted_by(options);
-  std::optional<OutputFolder> folder;
-  if (options.out) folder.emplace(*options.out);
+  if (options.out) require_writable(*options.out);
   const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
   const scene::Scene scene = scene::read_scene(paths, options.conventions);
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
@@ -61,7 +59,7 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
                                   {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
                                   {"scene.json", plan_json(scene, plan)}};
     out += fmt::format("\nPlan: {}: {}\n", printable(*options.out), joined(files, ", ", &File::name));
-    put = folder->prepare(files, {}, options.force, checkpoint);
+    put = prepare_output(*options.out, files, {}, options.force, checkpoint);
   }
   return {exit_code, out, "", put};
 }

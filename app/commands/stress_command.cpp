@@ -2,7 +2,6 @@
 
 #include "app/commands/commands.hpp"
 #include "app/output/output_file.hpp"
-#include "app/output/slow_tables.hpp"
 #include "fit/stress/fits.hpp"
 #include "fit/stress/form_trial.hpp"
 #include "reports/io/files.hpp"
@@ -21,16 +20,16 @@ std::vector<File> tables_as_files(const Table& forms, const Table& fits) {
 
 }  // namespace
 
-std::vector<File> stress_tables(const Checkpoint& checkpoint, const Progress&) {
+std::vector<File> stress_tables(const Checkpoint& checkpoint) {
   return tables_as_files(forms_stress_table(forms_under_stress(checkpoint)),
                          fits_stress_table(fits_under_stress(checkpoint)));
 }
 
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress&) {
-  const OutputFolder folder(options.out);
+  require_writable(options.out);
   const std::vector<FormTrial> trials = forms_under_stress(checkpoint);
   const Table forms = forms_stress_table(trials), fits = fits_stress_table(fits_under_stress(checkpoint));
-  const auto put = folder.prepare(tables_as_files(forms, fits), {}, options.force, checkpoint);
+  const auto put = prepare_output(options.out, tables_as_files(forms, fits), {}, options.force, checkpoint);
   const std::string err = broken_lines(trials);
   return {err.empty() ? 0 : 1,
           write_console(stress_summary(forms), Precision::report, options.terminal) + "\n" +

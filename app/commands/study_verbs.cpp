@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/study_commands.hpp"
 #include "app/options/option_values.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
@@ -135,7 +134,7 @@ Outcome explain_study_command(const StudyFile& file, const ExplainOptions& optio
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint) {
   if (!options.only.empty())
     throw UserError(fmt::format("--only '{}' does not go with a study", options.only.front()));
-  const OutputFolder folder(options.out);
+  require_writable(options.out);
   const auto comparisons = comparisons_of(file, checkpoint);
   std::vector<Figure> figures;
   if (!options.no_plots && comparisons.size() == 1 && file.study.over.size() == 1)
@@ -148,11 +147,12 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
   out += said + fmt::format("\nReport: {}\n",
                             printable((std::filesystem::path(options.out) / "report.md").string()));
   const std::string err = failed + failed_lines(comparisons);
-  return {err.empty() ? 0 : 1, out, err, folder.prepare(files, missing, options.force, checkpoint)};
+  return {err.empty() ? 0 : 1, out, err,
+          prepare_output(options.out, files, missing, options.force, checkpoint)};
 }
 
 Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const OutputFolder folder(options.out);
+  require_writable(options.out);
   const auto folders = study_folders(options.studies);
   std::vector<StudyFile> files;
   if (options.study) {
@@ -175,7 +175,7 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
       {.before_each = stepping(checkpoint, progress, "studies", files.size()), .checkpoint = checkpoint});
   progress("");
   const std::vector<File> written = gallery_files(judged);
-  const auto put = folder.prepare(written, {}, options.force, checkpoint);
+  const auto put = prepare_output(options.out, written, {}, options.force, checkpoint);
   const auto first = std::filesystem::path(options.out) / written.front().name;
   return {0, fmt::format("Pages: {}\n", printable(first.string())), "", put};
 }

@@ -3,7 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "app/options/bench_options.hpp"
+#include "app/options/options.hpp"
+#include "app/output/progress.hpp"
 #include "bench/forms/float_errors.hpp"
 #include "bench/tradeoff/trade.hpp"
 

@@ -1,5 +1,3 @@
-#include "app/options/bench_options.hpp"
-
 #include <fmt/format.h>
 
 #include <charconv>

@@ -1,5 +1,3 @@
-#include "app/options/scene_options.hpp"
-
 #include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
 

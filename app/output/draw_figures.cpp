@@ -53,11 +53,11 @@ void require_picture(const std::string& file) {
 std::function<void()> draw_picture(const Figure& figure, const std::string& file, bool force,
                                    const Checkpoint& checkpoint) {
   require_picture(file);
-  const OutputFile output("--plot", file, "the picture");
+  const std::filesystem::path output = output_file("--plot", file, "the picture");
   const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({figure}), {figure.name}, checkpoint);
   if (!pictures.failed.empty())
     throw UserError(fmt::format("--plot '{}' was not drawn: {}", file, pictures.failed.front().complaint));
-  return output.prepare(pictures.files.front().content, force, checkpoint);
+  return prepare_output_file(output, pictures.files.front().content, force, checkpoint);
 }
 
 }  // namespace shadefit
