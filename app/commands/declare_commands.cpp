@@ -31,14 +31,15 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   declare(*command, *options);
   command->allow_extras();  // the command line names the first of them
   command->callback([=, &call] {
-    if constexpr (requires { options->terminal; }) options->terminal = call.terminal;
-    if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
-    if constexpr (requires { options->present; }) options->present = present_in(*command);
-    if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
-    const auto words = words_of(
-        *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
-    if constexpr (requires { options->words; }) options->words = words;
-    if constexpr (requires { options->fit.words; }) options->fit.words = words;
+    const auto tell = [&](auto& of) {
+      if constexpr (requires { of.terminal; }) of.terminal = call.terminal;
+      if constexpr (requires { of.present; }) of.present = present_in(*command);
+      if constexpr (requires { of.words; })
+        of.words = words_of(
+            *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
+    };
+    tell(*options);
+    if constexpr (requires { options->fit.words; }) tell(options->fit);
     Call* const to = &call;  // captured where it is used: not every command takes a checkpoint
     call.run = [=] {
       if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
@@ -52,14 +53,14 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   });
 }
 
-/// For everything that searches.
+/// For all but `cite`, which searches nothing.
 void add_time_limit(CLI::App& app, Call& call) {
-  for (const char* name : {"list", "run", "fit", "better", "certify", "verify", "emit", "scene", "explain",
-                           "bench", "stress", "check", "lint"}) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == "cite") continue;
     const auto limit = [&call](const std::string& text) {
       call.checkpoint = limited(call.checkpoint, parse_seconds("--time-limit", text));
     };
-    app.get_subcommand(name)
+    command
         ->add_option_function<std::string>("--time-limit", limit, "stop, with exit code 1, after this time")
         ->type_name("SECONDS");
   }

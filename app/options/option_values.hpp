@@ -91,14 +91,8 @@ std::string parse_text(const std::string& option, const std::string& text);
 double parse_finite(const std::string& option, const std::string& text);
 double parse_seconds(const std::string& option, const std::string& text);
 
-/// A finite number, or a quotient of two ("1/255"), above 0 and at most `most`.
-double parse_share(const std::string& option, const std::string& text, double most);
-
 /// "10%" as 0.1: a percentage above 0.
 double parse_percentage(const std::string& option, const std::string& text);
-
-/// A whole number from `least` to `most`.
-int parse_whole(const std::string& option, const std::string& text, int least, int most);
 
 /// "5", or a sweep "3:15:1,25".
 std::vector<double> parse_exponents(const std::string& option, const std::string& text);
@@ -118,9 +112,6 @@ Parameters parse_parameters(const std::string& option, const std::string& text);
 
 /// A relative width of bounds that double precision can reach.
 double parse_relative_width(const std::string& option, const std::string& text);
-
-/// "vulkan" or "vulkan:N": the place of a graphics device.
-std::size_t parse_device(const std::string& option, const std::string& text);
 
 /// The words of a parsed command: its options with their values as given. Leaves out the options `without`
 /// and options with default values.
