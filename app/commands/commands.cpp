@@ -228,14 +228,16 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   return {err.empty() ? 0 : 1, out, err, put};
 }
 
-Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options) {
+Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options,
+                      const std::string& recomputed) {
   if (options.format != findings::FindingFormat::text) {
     const auto report = drift_findings(checked, options.fail_above);
     return {findings::passes(report) ? 0 : 1, findings::write_findings(report, options.format), ""};
   }
   const auto& [drifts, cells] = checked;
   const std::string baseline = printable(options.baseline);
-  if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
+  if (drifts.empty())
+    return {0, recomputed + fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}};
   // These texts come from the baseline's files and may hold anything, so each becomes one short line.
   for (const Drift& d : drifts) {
@@ -246,7 +248,7 @@ Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options)
   const std::string above =
       options.fail_above ? fmt::format(", {} above {:g} %", failing, 100 * *options.fail_above) : "";
   return {failing == 0 ? 0 : 1,
-          write_console(table, Precision::report, options.terminal) +
+          recomputed + write_console(table, Precision::report, options.terminal) +
               fmt::format("\ncheck {}: {} {} from {}{}\n", failing == 0 ? "passed" : "failed", drifts.size(),
                           drifts.size() == 1 ? "difference" : "differences", baseline, above),
           ""};
@@ -283,9 +285,7 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     checked.drifts.insert(checked.drifts.end(), more.drifts.begin(), more.drifts.end());
     checked.cells += more.cells;
   }
-  Outcome outcome = check_outcome(checked, options);
-  if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
-  return outcome;
+  return check_outcome(checked, options, recomputed);
 }
 
 }  // namespace shadefit

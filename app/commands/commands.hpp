@@ -68,8 +68,10 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
 std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint);
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);
 
-/// What `check` prints: the drifts as a table or in a format of findings, or how many cells agree.
-Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options);
+/// What `check` prints: what was `recomputed`, and the drifts as a table, or how many cells agree; or the
+/// drifts alone in a format of findings.
+Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options,
+                      const std::string& recomputed);
 
 /// The tables of `stress`, which `check --all` compares.
 std::vector<File> stress_tables(const Checkpoint& checkpoint);

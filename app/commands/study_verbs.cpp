@@ -186,9 +186,7 @@ Outcome check_study_command(const StudyFile& file, const CheckOptions& options,
   const std::string recomputed = recomputed_text(file, checkpoint);
   std::vector<File> files = study_files_of(file, comparisons_of(file, checkpoint), {});
   std::erase_if(files, [](const File& made) { return made.name != "better.csv"; });
-  Outcome outcome = check_outcome(compare_files(baseline, files), options);
-  if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
-  return outcome;
+  return check_outcome(compare_files(baseline, files), options, recomputed);
 }
 
 }  // namespace shadefit
