@@ -74,8 +74,6 @@ struct InPrecision {
   std::size_t alone, polynomial;
   std::vector<std::size_t> forms = {};
   std::vector<std::optional<double>> errors = {};
-
-  bool is_half() const { return precision == ShaderPrecision::float16; }
 };
 
 InPrecision add_all(Programme& programme, const bench::Trade& trade, ShaderPrecision precision,
@@ -109,10 +107,10 @@ Rounds evaluation(const std::vector<Rounds>& times, const InPrecision& one, std:
 }
 
 /// A row with times. `unit` is the time of a multiply-add in float.
-bench::TimedForm timed_row(bench::TimedForm row, const Rounds& ns, double unit, bool is_half) {
+bench::TimedForm timed_row(bench::TimedForm row, const Rounds& ns, double unit, ShaderPrecision precision) {
   row.ns = bench::spread_of(ns);
   row.multiply_adds = row.ns.median / unit;
-  row.is_half = is_half;
+  row.precision = precision;
   return row;
 }
 
@@ -139,15 +137,15 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
       {.form = "empty-dispatch", .label = "empty-dispatch", .ns = bench::spread_of(times.front())}};
   for (const InPrecision& one : all)
     rows.push_back(timed_row({.form = "multiply-add", .label = "multiply-add"}, multiply_add(times, one),
-                             unit, one.is_half()));
+                             unit, one.precision));
   for (std::size_t i = 0; i < trade.forms.size(); ++i) {
     for (const InPrecision& one : all) {
       bench::TimedForm row = trade.forms[i];
       // An error that is known without a device is that of exact arithmetic: float is close to it, half is
       // not.
-      if (one.errors[i] || one.is_half()) row.max_abs_error = one.errors[i];
+      if (one.errors[i] || one.precision == ShaderPrecision::float16) row.max_abs_error = one.errors[i];
       const Rounds ns = evaluation(times, one, one.forms[i], row.function.arguments.size());
-      rows.push_back(timed_row(std::move(row), ns, unit, one.is_half()));
+      rows.push_back(timed_row(std::move(row), ns, unit, one.precision));
     }
   }
   trade.forms = std::move(rows);

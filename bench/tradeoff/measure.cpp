@@ -180,7 +180,7 @@ Trade measure(Trade trade, const TimingPlan& plan, const std::function<void(doub
   for (std::size_t i = 0; i < forms.size(); ++i)
     forms[i].ns = trade.is_timed_before(i) ? forms[i - 1].ns : spread_of((next++)->ns);
   Spread& unit = forms.front().ns;
-  for (double* ns : {&unit.median, &unit.lower_quartile, &unit.upper_quartile}) *ns /= multiply_adds_of_chain;
+  unit = {unit.median / multiply_adds_of_chain, unit.width / multiply_adds_of_chain};
   for (TimedForm& form : forms) form.multiply_adds = form.ns.median / unit.median;
   return trade;
 }

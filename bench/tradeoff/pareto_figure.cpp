@@ -21,8 +21,8 @@ std::string logarithmic_range(double low, double high, double free_above) {
 std::vector<TimedForm> drawable_forms(const Trade& trade, const std::string& target) {
   std::vector<TimedForm> forms = shown_forms(trade, target);
   std::erase_if(forms, [](const TimedForm& timed) {
-    return timed.is_half || !(timed.max_abs_error > 0.0) || !std::isfinite(*timed.max_abs_error) ||
-           !(timed.ns.median > 0);
+    return timed.precision != ShaderPrecision::float32 || !(timed.max_abs_error > 0.0) ||
+           !std::isfinite(*timed.max_abs_error) || !(timed.ns.median > 0);
   });
   mark_unbeaten(forms);
   return forms;

@@ -57,9 +57,9 @@ Table bench_table(const Trade& trade) {
                    {"form", timed.form},
                    {"constants", timed.constants},
                    {"exp2_degree", static_cast<long>(timed.exp2_degree)},
-                   {"precision", precision_of(timed)},
+                   {"precision", word(name(timed.precision))},
                    {"ns_per_element", measured(timed.ns.median)},
-                   {"spread", measured(timed.ns.width())},
+                   {"spread", measured(timed.ns.width)},
                    {"max_abs_error", measured(timed.max_abs_error)},
                    {"multiply_adds", measured(timed.multiply_adds)},
                    {"cpu", machine.cpu},
@@ -75,10 +75,10 @@ Table times_table(const Trade& trade, const std::string& target) {
   Table table;
   for (const TimedForm& timed : shown_forms(trade, target))
     append(table, {{"form", OthersText(timed.label)},
-                   {"precision", precision_of(timed)},
+                   {"precision", word(name(timed.precision))},
                    {"max abs error", measured(timed.max_abs_error)},
                    {"ns", measured(timed.ns.median)},
-                   {"spread", measured(timed.ns.width())},
+                   {"spread", measured(timed.ns.width)},
                    {"MADs", measured(timed.multiply_adds)},
                    {"unbeaten", std::string(timed.is_unbeaten ? "yes" : "")}});
   return table;

@@ -25,16 +25,12 @@ struct Machine {
 /// The name of this machine's processor, or "unknown".
 std::string this_cpu();
 
-/// The median and the quartiles of samples.
+/// Of samples the median, and the interquartile range: the width of the middle half.
 struct Spread {
-  double median;
-  double lower_quartile, upper_quartile;
-
-  /// The interquartile range: the width of the middle half of the samples.
-  double width() const { return upper_quartile - lower_quartile; }
+  double median, width;
 };
 
-/// Median and quartiles of at least one sample, linear between two of them.
+/// Of at least one sample, linear between two of them.
 Spread spread_of(std::vector<double> samples);
 
 /// A form with one set of its constants, its error, and once it is measured its time.
@@ -44,7 +40,7 @@ struct TimedForm {
   std::string constants = {};  ///< the id of its set of constants
   std::string label = {};      ///< a few words for tables
   int exp2_degree = 0;         ///< of the polynomial in its exp2; 0: the library's, or none
-  bool is_half = false;        ///< else float
+  ShaderPrecision precision = ShaderPrecision::float32;
   std::optional<double> max_abs_error = {};
   Spread ns = {};                                             ///< per element
   std::optional<double> multiply_adds = {};                   ///< its time in that of a multiply-add in float
@@ -89,9 +85,6 @@ struct Trade {
 
 /// The target of a form.
 const TimedTarget& target_of(const Trade& trade, const TimedForm& form);
-
-/// "half" or "float".
-std::string precision_of(const TimedForm& timed);
 
 /// The form with its exp2, as one name: "sg", "sg/exp2-3".
 std::string full_id(const TimedForm& timed);

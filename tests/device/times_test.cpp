@@ -84,7 +84,7 @@ bool has_half() {
 
 const bench::TimedForm& row_of(const bench::Trade& trade, std::string_view form, std::string_view precision) {
   return *std::find_if(trade.forms.begin(), trade.forms.end(), [&](const bench::TimedForm& row) {
-    return row.form == form && precision_of(row) == precision;
+    return row.form == form && name(row.precision) == precision;
   });
 }
 
@@ -111,8 +111,8 @@ TEST_P(TimesOnDriver, EveryFormHasATimeAndAnError) {
   constexpr double slack_of_half = 0.05;
   for (const bench::TimedForm& row : trade.forms) {
     if (row.target.empty()) continue;
-    const std::string name = row.target + " " + row.label + " " + precision_of(row);
-    const bool is_half = precision_of(row) == "half";
+    const std::string name = row.target + " " + row.label + " " + std::string(shadefit::name(row.precision));
+    const bool is_half = row.precision == ShaderPrecision::float16;
     // Short rounds beside other programs: a difference of two times may be below 0.
     EXPECT_TRUE(std::isfinite(*row.multiply_adds)) << name << *row.multiply_adds;
     const double cpu = on_cpu.at({row.target, row.form, row.constants});
