@@ -14,29 +14,6 @@
 
 /// The subcommands `certify` and `verify`.
 namespace shadefit {
-namespace {
-
-/// What `verify` found of a certificate.
-struct VerifiedCertificate {
-  std::string refused;    ///< the reason; empty: it holds
-  std::string statement;  ///< what it proves, on lines of their own
-};
-
-VerifiedCertificate verified(const std::string& text, const std::string& file, const ShareDone& done) {
-  const auto read = read_study_certificate(text, file);
-  const StudyCertificate& certificate = read.certificate;
-  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
-  if (!reason.empty()) return {reason, ""};
-  const Study& study = certificate.subject.study;
-  return {"",
-          fmt::format(
-              "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
-              printable(file), study.weight == "1" ? "" : "weighted ", name(study.error),
-              printable(study.form), certificate.lower, certificate.upper, count_boxes(certificate)) +
-              statement_of(certificate)};
-}
-
-}  // namespace
 
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress) {
@@ -79,13 +56,21 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
 }
 
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const auto done = bar(checkpoint, progress, "verify");
-  const std::string text = read_bounded(options.file, most_certificate_bytes);
-  const auto [refused, statement] = verified(text, options.file, done);
-  if (refused.empty()) return {0, statement, ""};
-  return {
-      1, "",
-      fmt::format("shadefit: certificate '{}' is refused: {}\n", printable(options.file), one_line(refused))};
+  const std::string file = printable(options.file);
+  const auto [certificate, refused] =
+      read_study_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
+  const std::string reason =
+      refused.empty() ? reason_to_refuse(certificate, bar(checkpoint, progress, "verify")) : refused;
+  if (!reason.empty())
+    return {1, "", fmt::format("shadefit: certificate '{}' is refused: {}\n", file, one_line(reason))};
+  const Study& study = certificate.subject.study;
+  return {0,
+          fmt::format(
+              "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
+              file, study.weight == "1" ? "" : "weighted ", name(study.error), printable(study.form),
+              certificate.lower, certificate.upper, count_boxes(certificate)) +
+              statement_of(certificate),
+          ""};
 }
 
 }  // namespace shadefit

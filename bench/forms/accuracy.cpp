@@ -11,6 +11,7 @@
 #include "bench/forms/kernels.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/scalars/half.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit::forms {
 namespace {
@@ -116,13 +117,6 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
   return errors;
 }
 
-std::string values_of(const Constants& constants) {
-  std::string text;
-  for (const NamedNumber& number : constants.numbers)
-    text += (text.empty() ? "" : ", ") + number.name + " = " + number.printed;
-  return text;
-}
-
 void append_row(Table& table, const Target& target, const FormEntry& form, const Constants& constants,
                 std::string_view arithmetic, int degree, const Errors& errors) {
   // The truths are long doubles, 1/2048 of an ulp of double apart, and processors differ in their last digit.
@@ -130,11 +124,12 @@ void append_row(Table& table, const Target& target, const FormEntry& form, const
   constexpr int few = 3, place_digits = 6;
   const int digits = arithmetic == "double" ? few : 6;
   const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
+  const auto equation = [](const NamedNumber& given) { return given.name + " = " + given.printed; };
   std::string exp2;
   if (kernels_of(form.id).size() > 1) exp2 = degree == 0 ? "library" : std::to_string(degree);
   table.rows.push_back(
-      {std::string(target.id), std::string(form.id), constants.id, values_of(constants), exp2,
-       std::string(arithmetic), number(errors.absolute, digits),
+      {std::string(target.id), std::string(form.id), constants.id, joined(constants.numbers, ", ", equation),
+       exp2, std::string(arithmetic), number(errors.absolute, digits),
        target.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, place_digits),
        number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
        number(errors.codes, few)});

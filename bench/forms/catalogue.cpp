@@ -61,21 +61,6 @@ std::vector<Constants> constants_of(std::string_view id) {
   return all;
 }
 
-/// The best pair for the cheapest polynomial instead of exp2.
-void append_pair_for_exp2(std::vector<Constants>& all) {
-  const StudyFit pair = fit_pair_for_exp2(least_exp2_degree);
-  if (pair.status != Status::converged) return;
-  all.push_back({"minimax-exp2-" + std::to_string(least_exp2_degree),
-                 {computed_number("a", pair.parameters[1]), computed_number("b", pair.parameters[0])}});
-}
-
-/// The offsets of a lobe that are conventions and not fits: of the plain form, and of a von Mises-Fisher
-/// density.
-void append_conventions(std::vector<Constants>& all) {
-  all.push_back({"plain", {printed_number("x", "0")}});
-  all.push_back({"one", {printed_number("x", "1")}});
-}
-
 /// The constants of a form that another form of the same curve uses too.
 std::vector<Constants> telling(std::vector<Constants> all) {
   std::erase_if(all, [](const Constants& constants) {
@@ -143,7 +128,13 @@ Target schlick() {
   for (const char* id : {"fresnel-one-term", "fresnel-quadratic", "fresnel-cubic", "fresnel-quartic",
                          "fresnel-fourth", "fresnel-square", "fresnel-rational"}) {
     target.forms.push_back(of_family(id));
-    if (target.forms.back().id == "fresnel-quadratic") append_pair_for_exp2(target.forms.back().constants);
+    if (target.forms.back().id != "fresnel-quadratic") continue;
+    // The best pair for the cheapest polynomial instead of exp2.
+    const StudyFit pair = fit_pair_for_exp2(least_exp2_degree);
+    if (pair.status != Status::converged) continue;
+    target.forms.back().constants.push_back(
+        {"minimax-exp2-" + std::to_string(least_exp2_degree),
+         {computed_number("a", pair.parameters[1]), computed_number("b", pair.parameters[0])}});
   }
   return target;
 }
@@ -193,7 +184,9 @@ std::array<double, 3> spread_direction(std::size_t i) {
 
 std::vector<Target> catalogue() {
   std::vector<Constants> offsets = constants_of("sg-offset");
-  append_conventions(offsets);
+  // Conventions, not fits: the offsets of the plain form, and of a von Mises-Fisher density.
+  offsets.push_back({"plain", {printed_number("x", "0")}});
+  offsets.push_back({"one", {printed_number("x", "1")}});
   return {lobe(offsets),
           gloss(),
           schlick(),

@@ -53,11 +53,6 @@ void note(FloatErrors& found, std::uint32_t at, float value, double truth) {
   }
 }
 
-void note_beyond(FloatErrors& found, std::uint32_t at) {
-  ++found.beyond;
-  if (found.beyond_at.size() < FloatErrors::most_places) found.beyond_at.push_back(at);
-}
-
 /// The errors of one thread.
 FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
   Block floats;
@@ -80,7 +75,9 @@ FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
       const auto is_within = [&] {
         return std::abs(static_cast<double>(value) - floats.middle[i]) <= floats.radius[i];
       };
-      if (subject.bound && !is_within()) note_beyond(found, at);
+      if (!subject.bound || is_within()) continue;
+      ++found.beyond;
+      if (found.beyond_at.size() < FloatErrors::most_places) found.beyond_at.push_back(at);
     }
     first += static_cast<std::uint32_t>(count);
   }

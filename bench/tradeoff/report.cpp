@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "reports/io/escape.hpp"
 #include "reports/io/writers.hpp"
@@ -14,17 +13,6 @@ namespace {
 /// A time or an error: three digits, because times are repeatable to about a percent.
 Cell measured(const std::optional<double>& value) {
   return value ? Cell(Number{*value, 3}) : Cell{};
-}
-
-using Row = std::vector<std::pair<const char*, Cell>>;
-
-void append(Table& table, const Row& row) {
-  table.columns.clear();
-  auto& cells = table.rows.emplace_back();
-  for (const auto& [column, cell] : row) {
-    table.columns.emplace_back(column);
-    cells.push_back(cell);
-  }
 }
 
 std::string how_it_was_measured(const Trade& trade) {
@@ -51,36 +39,22 @@ std::string how_it_was_measured(const Trade& trade) {
 
 Table bench_table(const Trade& trade) {
   const Machine& machine = trade.machine;
-  Table table;
-  for (const TimedForm& timed : trade.forms) {
-    append(table, {{"target", timed.target},
-                   {"form", timed.form},
-                   {"constants", timed.constants},
-                   {"exp2_degree", static_cast<long>(timed.exp2_degree)},
-                   {"precision", word(name(timed.precision))},
-                   {"ns_per_element", measured(timed.ns.median)},
-                   {"spread", measured(timed.ns.width)},
-                   {"max_abs_error", measured(timed.max_abs_error)},
-                   {"multiply_adds", measured(timed.multiply_adds)},
-                   {"cpu", machine.cpu},
-                   {"compiler", machine.compiler},
-                   {"device", machine.device},
-                   {"driver", machine.driver},
-                   {"clock", machine.clock}});
-  }
+  Table table{{"target", "form", "constants", "exp2_degree", "precision", "ns_per_element", "spread",
+               "max_abs_error", "multiply_adds", "cpu", "compiler", "device", "driver", "clock"}};
+  for (const TimedForm& timed : trade.forms)
+    table.rows.push_back({timed.target, timed.form, timed.constants, static_cast<long>(timed.exp2_degree),
+                          word(name(timed.precision)), measured(timed.ns.median), measured(timed.ns.width),
+                          measured(timed.max_abs_error), measured(timed.multiply_adds), machine.cpu,
+                          machine.compiler, machine.device, machine.driver, machine.clock});
   return table;
 }
 
 Table times_table(const Trade& trade, const std::string& target) {
-  Table table;
+  Table table{{"form", "precision", "max abs error", "ns", "spread", "MADs", "unbeaten"}};
   for (const TimedForm& timed : shown_forms(trade, target))
-    append(table, {{"form", OthersText(timed.label)},
-                   {"precision", word(name(timed.precision))},
-                   {"max abs error", measured(timed.max_abs_error)},
-                   {"ns", measured(timed.ns.median)},
-                   {"spread", measured(timed.ns.width)},
-                   {"MADs", measured(timed.multiply_adds)},
-                   {"unbeaten", std::string(timed.is_unbeaten ? "yes" : "")}});
+    table.rows.push_back({OthersText(timed.label), word(name(timed.precision)), measured(timed.max_abs_error),
+                          measured(timed.ns.median), measured(timed.ns.width), measured(timed.multiply_adds),
+                          std::string(timed.is_unbeaten ? "yes" : "")});
   return table;
 }
 
