@@ -26,30 +26,19 @@ namespace {
 /// Calls a function for every element of arrays. The type is the same for any number of variables.
 using Loop = void (*)(const float* const* in, float* out, long size);
 
-/// The loop that calls a function.
-std::string loop_of(const ShaderFunction& function) {
+/// A form, and the loop that calls it.
+std::string code_of(const TimedForm& form) {
   std::string arguments;
-  for (std::size_t i = 0; i < function.arguments.size(); ++i)
+  for (std::size_t i = 0; i < form.function.arguments.size(); ++i)
     arguments += fmt::format("{}in[{}][i]", i == 0 ? "" : ", ", i);
-  return fmt::format(
-      "void loop_{0}(const float* const* in, float* out, long size) {{\n"
-      "  for (long i = 0; i < size; ++i) out[i] = {0}({1});\n}}\n",
-      function.name, arguments);
-}
-
-/// The functions with an exp2 of that degree, and their loops.
-std::string code_with_exp2(int degree, const Trade& trade) {
-  std::vector<ShaderFunction> functions;
-  std::string loops;
-  for (std::size_t i = 0; i < trade.forms.size(); ++i) {
-    if (trade.forms[i].exp2_degree != degree || trade.is_timed_before(i)) continue;
-    functions.push_back(trade.forms[i].function);
-    loops += loop_of(functions.back());
-  }
-  if (functions.empty()) return "";
-  const std::string code = shader_code(functions, Language::c, ShaderPrecision::float32, {}) + loops;
-  if (degree == 0) return code;
-  return fmt::format("{}#define exp2f exp2_degree_{}\n{}#undef exp2f\n", exp2_in_c(degree), degree, code);
+  const std::string code =
+      shader_code(std::span(&form.function, 1), Language::c, ShaderPrecision::float32, {}) +
+      fmt::format(
+          "void loop_{0}(const float* const* in, float* out, long size) {{\n"
+          "  for (long i = 0; i < size; ++i) out[i] = {0}({1});\n}}\n",
+          form.function.name, arguments);
+  if (form.exp2_degree == 0) return code;
+  return fmt::format("#define exp2f exp2_degree_{}\n{}#undef exp2f\n", form.exp2_degree, code);
 }
 
 std::string code_of(const Trade& trade) {
@@ -57,9 +46,9 @@ std::string code_of(const Trade& trade) {
   std::string code =
       "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
       "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
-  code += code_with_exp2(0, trade);
-  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree)
-    code += code_with_exp2(degree, trade);
+  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree) code += exp2_in_c(degree);
+  for (std::size_t i = 0; i < trade.forms.size(); ++i)
+    if (!trade.is_timed_before(i)) code += code_of(trade.forms[i]);
   return code;
 }
 
