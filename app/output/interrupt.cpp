@@ -5,16 +5,6 @@
 
 namespace shadefit {
 
-namespace {
-
-/// Takes a pending signal; returns a number <= 0 if none is pending.
-int take_one(const sigset_t& held) {
-  constexpr std::timespec no_time{};
-  return sigtimedwait(&held, nullptr, &no_time);
-}
-
-}  // namespace
-
 sigset_t hold_interrupts() {
   sigset_t held{};
   sigemptyset(&held);
@@ -27,14 +17,14 @@ sigset_t hold_interrupts() {
   return held;
 }
 
-void take_waiting(const sigset_t& held) {
-  while (take_one(held) > 0) {
-  }
+int take_signal(const sigset_t& held) {
+  constexpr std::timespec no_time{};
+  return sigtimedwait(&held, nullptr, &no_time);
 }
 
 Checkpoint interruptible(const sigset_t& held) {
   return [held] {
-    const int signal = take_one(held);
+    const int signal = take_signal(held);
     if (signal > 0) throw Interrupted{signal};
   };
 }

@@ -23,8 +23,8 @@ struct TimeIsOver {
 /// on the signals are pending until a checkpoint takes them. The command holds them to its end.
 sigset_t hold_interrupts();
 
-/// Takes the pending signals, as when the user presses Ctrl-C again while the first is handled.
-void take_waiting(const sigset_t& held);
+/// Takes a pending signal; returns a number <= 0 if none is pending.
+int take_signal(const sigset_t& held);
 
 /// A checkpoint that takes a pending signal and throws Interrupted.
 Checkpoint interruptible(const sigset_t& held);
