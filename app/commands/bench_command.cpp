@@ -24,7 +24,7 @@ bench::Trade forms_to_time(const BenchOptions& options, const Checkpoint& checkp
   const Language language = options.device ? Language::glsl : Language::c;
   if (options.study) {
     const StudyFile file = named_study(*options.study, study_folders(options.studies));
-    return bench::study_forms(file.id, comparisons_of(file, checkpoint), language);
+    return bench::study_forms(file.id, comparisons_of(file, {checkpoint, unwatched}), language);
   }
   const std::vector<forms::Target> catalogue = forms::catalogue();
   std::vector<std::string> known;
@@ -36,22 +36,21 @@ bench::Trade forms_to_time(const BenchOptions& options, const Checkpoint& checkp
                                 options.device ? bench::Exp2Kinds::library : bench::Exp2Kinds::polynomials);
 }
 
-bench::Trade timed(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const auto forms = [&] { return forms_to_time(options, checkpoint); };
-  if (options.device) return trade_on_device(options, forms, checkpoint, progress);
-  return measure(forms(), options.quick ? bench::quick_plan : bench::full_plan,
-                 bar(checkpoint, progress, "bench"));
+bench::Trade timed(const BenchOptions& options, const Watched& work) {
+  const auto forms = [&] { return forms_to_time(options, work.checkpoint); };
+  if (options.device) return trade_on_device(options, forms, work);
+  return measure(forms(), options.quick ? bench::quick_plan : bench::full_plan, bar(work, "bench"));
 }
 
 }  // namespace
 
-Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome bench_command(const BenchOptions& options, const Watched& work) {
   if (options.list_devices) return list_devices_command(options);
-  if (options.exhaustive) return exhaustive_command(options, checkpoint, progress);
+  if (options.exhaustive) return exhaustive_command(options, work);
   require_writable(options.out);
-  const bench::Trade trade = timed(options, checkpoint, progress);
+  const bench::Trade trade = timed(options, work);
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
-  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, work.checkpoint);
   const auto report = bench::bench_files(trade, figures);
   files.insert(files.end(), report.begin(), report.end());
   std::string out;
@@ -65,7 +64,7 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
   out.pop_back();  // the next line is an empty one too
   out += said + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
   return {failed.empty() ? 0 : 1, out, failed,
-          prepare_output(options.out, files, missing, options.force, checkpoint)};
+          prepare_output(options.out, files, missing, options.force, work.checkpoint)};
 }
 
 }  // namespace shadefit

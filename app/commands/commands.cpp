@@ -157,10 +157,10 @@ void refuse_studies(const RunOptions& options) {
 
 }  // namespace
 
-Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
+Outcome list_command(const ListOptions& options, const Watched& work) {
   const bool with_verdicts = options.verdict.has_value();
-  Table list =
-      claims_list(wanted_claims(options.verdict, checkpoint), with_verdicts, options.json || options.csv);
+  Table list = claims_list(wanted_claims(options.verdict, work.checkpoint), with_verdicts,
+                           options.json || options.csv);
   const bool is_file = options.id && options.id->ends_with(".toml");
   std::string err;
   if (is_file) {
@@ -178,15 +178,14 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   return {0, write_console(list, Precision::report, options.terminal), err};
 }
 
-Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
-                        const Progress& progress) {
+Outcome explain_command(const ExplainOptions& options, const Watched& work) {
   std::vector<std::string> known = claim_ids();
   const std::string claim = claim_of(options.id);
   if (std::ranges::find(known, claim) == known.end()) {
     const auto folders = study_folders(options.studies);
     if (const auto study = find_study(options.id, folders))
-      return explain_study_command(*study, options, checkpoint, progress);
-    if (const Family* family = find_family(claim)) return explain_family(*family, options, checkpoint);
+      return explain_study_command(*study, options, work);
+    if (const Family* family = find_family(claim)) return explain_family(*family, options, work.checkpoint);
     if (auto number = explain_number(options)) return *std::move(number);
     for (const Family& family : families()) known.emplace_back(family.id);
     for (const auto& path : known_study_files(folders)) known.push_back(path.stem().string());
@@ -198,20 +197,20 @@ Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpo
           options.json ? json_text(explanation_json(judged)) : explanation(judged, options.terminal), ""};
 }
 
-Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.html) return gallery_command(options, checkpoint, progress);
+Outcome run_command(const RunOptions& options, const Watched& work) {
+  if (options.html) return gallery_command(options, work);
   if (options.study)
     return run_study_command(named_study(*options.study, study_folders(options.studies)), options,
-                             checkpoint);
+                             work.checkpoint);
   refuse_studies(options);
   require_writable(options.out);
-  const Results results = compute_results(options.only, checkpoint);
+  const Results results = compute_results(options.only, work.checkpoint);
   // The report shows only figures with a picture, so these are drawn first.
   auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
-  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, work.checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
-  const auto put = prepare_output(options.out, files, missing, options.force, checkpoint);
+  const auto put = prepare_output(options.out, files, missing, options.force, work.checkpoint);
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
@@ -254,14 +253,14 @@ Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options,
           ""};
 }
 
-Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome check_command(const CheckOptions& options, const Watched& work) {
   if (options.study) {
     const StudyFile study = named_study(*options.study, study_folders(options.studies));
     if (!options.present.contains("--baseline"))
       throw UserError(
           fmt::format("check needs --baseline for a study: DIR of an earlier 'shadefit run {} --out DIR'",
                       *options.study));
-    return check_study_command(study, options, checkpoint);
+    return check_study_command(study, options, work.checkpoint);
   }
   const Baseline baseline = read_baseline(options.baseline);
   // Reads the baseline of the slow tables too, before anything is computed.
@@ -273,13 +272,13 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
   std::string recomputed;
   if (options.all) {
     for (const auto& path : study_files(study_folders(options.studies)))
-      recomputed += recomputed_text(load_study(path), checkpoint);
+      recomputed += recomputed_text(load_study(path), work.checkpoint);
   }
-  const Results results = compute_results({}, checkpoint);
+  const Results results = compute_results({}, work.checkpoint);
   CheckedTables checked = compare(baseline, results);
   if (slow) {
-    std::vector<File> files = stress_tables(checkpoint);
-    const Table accuracy = forms::accuracy_table(checkpoint, bar(progress, "errors of every form"));
+    std::vector<File> files = stress_tables(work.checkpoint);
+    const Table accuracy = forms::accuracy_table(work.checkpoint, bar(work, "errors of every form"));
     files.push_back({accuracy_file, write_csv(accuracy, Precision::report)});
     const auto more = compare_files(*slow, files);
     checked.drifts.insert(checked.drifts.end(), more.drifts.begin(), more.drifts.end());

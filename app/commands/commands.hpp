@@ -17,25 +17,22 @@
 /// until its files are written, and shows its progress.
 namespace shadefit {
 
-Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
-Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
-                        const Progress& progress);
-Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
-                        const Progress& progress);
-Outcome cite_command(const CiteOptions& options);
-Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+Outcome list_command(const ListOptions& options, const Watched& work);
+Outcome run_command(const RunOptions& options, const Watched& work);
+Outcome fit_command(const FitOptions& options, const Watched& work);
+Outcome better_command(const FitOptions& options, const Watched& work);
+Outcome certify_command(const CertifyOptions& options, const Watched& work);
+Outcome verify_command(const VerifyOptions& options, const Watched& work);
+Outcome emit_command(const EmitOptions& options, const Watched& work);
+Outcome explain_command(const ExplainOptions& options, const Watched& work);
+Outcome cite_command(const CiteOptions& options, const Watched& work);
+Outcome bench_command(const BenchOptions& options, const Watched& work);
 /// `bench --exhaustive`.
-Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
-                           const Progress& progress);
+Outcome exhaustive_command(const BenchOptions& options, const Watched& work);
 /// Exit 1 if the plan exceeds the tolerance.
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint);
-Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+Outcome scene_command(const SceneOptions& options, const Watched& work);
+Outcome stress_command(const StressOptions& options, const Watched& work);
+Outcome check_command(const CheckOptions& options, const Watched& work);
 
 /// The outcome with the picture of --plot, and a line that names it; on standard error, where standard output
 /// is for a program.
@@ -52,14 +49,12 @@ Outcome check_generated_files(const std::vector<std::string>& files, const Check
 // For a study.
 
 /// The published sets of a study against the fits of its forms, one for each combination of given constants.
-std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
-                                            const Progress& progress = unwatched,
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Watched& work,
                                             Judged judged = Judged::yes);
 
-Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
-                              const Checkpoint& checkpoint, const Progress& progress);
+Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options, const Watched& work);
 /// The pages of a study, or of all studies in the folders.
-Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+Outcome gallery_command(const RunOptions& options, const Watched& work);
 
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint);
 

@@ -1,7 +1,6 @@
 #include "app/commands/declare_commands.hpp"
 
 #include <memory>
-#include <type_traits>
 
 #include "app/commands/commands.hpp"
 #include "app/lint/lint_command.hpp"
@@ -40,16 +39,7 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     };
     tell(*options);
     if constexpr (requires { options->fit.words; }) tell(options->fit);
-    Call* const to = &call;  // captured where it is used: not every command takes a checkpoint
-    call.run = [=] {
-      if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
-        return run(*options, to->checkpoint, to->progress);
-      } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
-        return run(*options, to->checkpoint);
-      } else {
-        return run(*options);
-      }
-    };
+    call.run = [=, &call] { return run(*options, call.work); };
   });
 }
 
@@ -58,7 +48,7 @@ void add_time_limit(CLI::App& app, Call& call) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == "cite") continue;
     const auto limit = [&call](const std::string& text) {
-      call.checkpoint = limited(call.checkpoint, parse_seconds("--time-limit", text));
+      call.work.checkpoint = limited(call.work.checkpoint, parse_seconds("--time-limit", text));
     };
     command
         ->add_option_function<std::string>("--time-limit", limit, "stop, with exit code 1, after this time")

@@ -84,8 +84,7 @@ Table ulps_table(const bench::FloatErrors& found) {
 
 }  // namespace
 
-Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
-                           const Progress& progress) {
+Outcome exhaustive_command(const BenchOptions& options, const Watched& work) {
   const std::vector<forms::Target> catalogue = forms::catalogue();
   const std::vector<bench::SweptForm> swept = swept_forms(catalogue, options);
   const bool is_one = *options.exhaustive != "all";
@@ -93,7 +92,7 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
   const Sweeper sweeper = options.device ? sweeper_on_device(options) : Sweeper{"", bench::subject_of};
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "above 1",
                "below 0", "beyond"}};
-  const auto show = bar(checkpoint, progress, "exhaustive");
+  const auto show = bar(work, "exhaustive");
   std::string beyond, histogram;
   for (const bench::SweptForm& form : swept) {
     const bench::FloatErrors found =
@@ -116,7 +115,7 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
       write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
   outcome.out +=
       fmt::format("\nResult: {}\n", printable((std::filesystem::path(options.out) / file.name).string()));
-  outcome.put = prepare_output(options.out, {file}, {}, options.force, checkpoint);
+  outcome.put = prepare_output(options.out, {file}, {}, options.force, work.checkpoint);
   return outcome;
 }
 

@@ -100,19 +100,18 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
 
 /// The fits of the first form, one for each combination of given constants, with the verdicts on the
 /// published sets.
-std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
-                                        const Progress& progress) {
+std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Watched& work) {
   std::vector<FittedStudy> studies;
   const std::vector<Study> all = combinations(file.study, file.given);
-  const Checkpoint next = stepping(checkpoint, progress, "fit", all.size());
+  const Checkpoint next = stepping(work, "fit", all.size());
   for (Study study : all) {
     next();
     take_form(study, file.forms.front());
     if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
     StudyObjective objective = objective_of(study, file.norm, file.constraints);
     objective.recompute = file.recompute;
-    studies.push_back({objective, read_formulas(study), fit_study(objective, checkpoint),
-                       judged_sets(file, objective, checkpoint)});
+    studies.push_back({objective, read_formulas(study), fit_study(objective, work.checkpoint),
+                       judged_sets(file, objective, work.checkpoint)});
   }
   return studies;
 }
@@ -137,14 +136,14 @@ std::vector<double> published_values(const FittedStudy& study) {
 }
 
 StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions& options,
-                      const Checkpoint& checkpoint, const Progress& progress) {
+                      const Watched& work) {
   StudyExtras extras;
   const char* what = options.certify    ? "certify"
                      : options.round    ? "round"
                      : options.evaluate ? "evaluate"
                                         : "sensitivity";
   const bool is_any = options.certify || options.round || options.evaluate || options.sensitivity;
-  const Checkpoint next = stepping(checkpoint, progress, what, is_any ? studies.size() : 0);
+  const Checkpoint next = stepping(work, what, is_any ? studies.size() : 0);
   for (const FittedStudy& study : studies) {
     next();
     const bool is_answer = study.fit.status == Status::converged;
@@ -152,21 +151,21 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
     extras.proofs.emplace_back();
     if (is_answer && options.certify) {
       const double width = usual_study_width(study.read.axes.size());
-      extras.proofs.back() = {
-          certify_study(subject_of(study.asked(), constants_of(study.asked(), study.fit)), width, checkpoint),
-          "fitted"};
+      extras.proofs.back() = {certify_study(subject_of(study.asked(), constants_of(study.asked(), study.fit)),
+                                            width, work.checkpoint),
+                              "fitted"};
     }
     const auto rounded = [&](const std::optional<NumberFormat>& format, const auto& round) {
       if (!format) return RoundedFit{};
       return rounded_fit(study, studies.size() > 1, [&] {
-        return round(objective, study.fit, *format, published_values(study), checkpoint);
+        return round(objective, study.fit, *format, published_values(study), work.checkpoint);
       });
     };
     extras.rounded.push_back(rounded(options.round, round_study));
     extras.evaluated.push_back(rounded(options.evaluate, evaluate_study));
     extras.sensitivities.emplace_back();
     if (is_answer && options.sensitivity)
-      extras.sensitivities.back() = sensitivity_of(objective, study.fit, checkpoint);
+      extras.sensitivities.back() = sensitivity_of(objective, study.fit, work.checkpoint);
   }
   return extras;
 }
@@ -240,21 +239,21 @@ Outcome with_picture(Outcome outcome, const FitOptions& options, const std::func
   return outcome;
 }
 
-Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome fit_command(const FitOptions& options, const Watched& work) {
   const Published* published = find_published(options.id);
   if (published != nullptr && published->statement != Statement::best_fit)
     throw UserError(
         fmt::format("'{0}' is a mean or a limit of fits, no fit: see 'shadefit explain {0}'", published->id));
-  const StudyFile file = chosen_study(options, checkpoint);
+  const StudyFile file = chosen_study(options, work.checkpoint);
   if (options.certify && file.study.rows)
     throw UserError("--certify does not go with --table: rows have no error between them");
   if (options.plot) require_picture(*options.plot);
-  const auto studies = fitted_studies(file, checkpoint, progress);
+  const auto studies = fitted_studies(file, work);
   const std::string err = not_converged_lines(studies);
-  const auto extras = extras_of(studies, options, checkpoint, progress);
+  const auto extras = extras_of(studies, options, work);
   return with_picture(
       {err.empty() ? 0 : 1, studies_text(file, studies, extras, options), err}, options,
-      [&] { return study_figure(studies); }, checkpoint);
+      [&] { return study_figure(studies); }, work.checkpoint);
 }
 
 }  // namespace shadefit

@@ -15,9 +15,8 @@
 /// The subcommands `certify` and `verify`.
 namespace shadefit {
 
-Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
-                        const Progress& progress) {
-  const StudyFile file = chosen_study(options.fit, checkpoint);
+Outcome certify_command(const CertifyOptions& options, const Watched& work) {
+  const StudyFile file = chosen_study(options.fit, work.checkpoint);
   if (file.study.rows != nullptr)
     throw UserError(
         fmt::format("certify proves the error over a range: '{}' has rows of measured values alone",
@@ -29,13 +28,13 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   const auto out =
       options.out ? std::optional(output_file("--out", *options.out, "the certificate")) : std::nullopt;
   std::vector<ProvenStudy> proofs;
-  const Checkpoint next = stepping(checkpoint, progress, "certify", studies.size());
+  const Checkpoint next = stepping(work, "certify", studies.size());
   std::string err;
   for (const Study& study : studies) {
     next();
-    const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
+    const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, work.checkpoint);
     const double width = options.width.value_or(usual_study_width(study.over.size()));
-    proofs.push_back({certify_study(chosen.subject, width, checkpoint), chosen.from});
+    proofs.push_back({certify_study(chosen.subject, width, work.checkpoint), chosen.from});
     const std::string given = given_text(study);
     const auto& [certificate, is_reached] = proofs.back().certified;
     if (!is_reached)
@@ -45,7 +44,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   std::function<void()> put;
-  if (out) put = prepare_output_file(*out, certificate_text(first), options.force, checkpoint);
+  if (out) put = prepare_output_file(*out, certificate_text(first), options.force, work.checkpoint);
   if (options.fit.json)
     return {err.empty() ? 0 : 1, json_text_of_each(json_array(proofs, study_proof_json)), err, put};
   std::string text = (file.id.empty() ? "" : file.id + ": ") + for_terminal(proof_headline(first)) + "\n" +
@@ -55,12 +54,11 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   return {err.empty() ? 0 : 1, text, err, put};
 }
 
-Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome verify_command(const VerifyOptions& options, const Watched& work) {
   const std::string file = printable(options.file);
   const auto [certificate, refused] =
       read_study_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
-  const std::string reason =
-      refused.empty() ? reason_to_refuse(certificate, bar(checkpoint, progress, "verify")) : refused;
+  const std::string reason = refused.empty() ? reason_to_refuse(certificate, bar(work, "verify")) : refused;
   if (!reason.empty())
     return {1, "", fmt::format("shadefit: certificate '{}' is refused: {}\n", file, one_line(reason))};
   const Study& study = certificate.subject.study;

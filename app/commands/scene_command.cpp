@@ -38,7 +38,7 @@ std::string code_command(const SceneOptions& options) {
 
 }  // namespace
 
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint) {
+Outcome scene_command(const SceneOptions& options, const Watched& work) {
   scene::Wanted wanted = wanted_by(options);
   if (options.out) require_writable(*options.out);
   const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
@@ -47,7 +47,7 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
   if (options.conventions.has_features)
     return {0, options.json ? features_json(scene) : features_text(scene), ""};
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
-  const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
+  const scene::Plan plan = scene::make_plan(scene, wanted, work.checkpoint);
   const int exit_code = plan.is_within() ? 0 : 1;
   if (options.language)
     return {exit_code, scene_code(scene, plan, *options.language, code_command(options)), ""};
@@ -59,7 +59,7 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
                                   {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
                                   {"scene.json", plan_json(scene, plan)}};
     out += fmt::format("\nPlan: {}: {}\n", printable(*options.out), joined(files, ", ", &File::name));
-    put = prepare_output(*options.out, files, {}, options.force, checkpoint);
+    put = prepare_output(*options.out, files, {}, options.force, work.checkpoint);
   }
   return {exit_code, out, "", put};
 }

@@ -25,11 +25,13 @@ std::vector<File> stress_tables(const Checkpoint& checkpoint) {
                          fits_stress_table(fits_under_stress(checkpoint)));
 }
 
-Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress&) {
+Outcome stress_command(const StressOptions& options, const Watched& work) {
   require_writable(options.out);
-  const std::vector<FormTrial> trials = forms_under_stress(checkpoint);
-  const Table forms = forms_stress_table(trials), fits = fits_stress_table(fits_under_stress(checkpoint));
-  const auto put = prepare_output(options.out, tables_as_files(forms, fits), {}, options.force, checkpoint);
+  const std::vector<FormTrial> trials = forms_under_stress(work.checkpoint);
+  const Table forms = forms_stress_table(trials),
+              fits = fits_stress_table(fits_under_stress(work.checkpoint));
+  const auto put =
+      prepare_output(options.out, tables_as_files(forms, fits), {}, options.force, work.checkpoint);
   const std::string err = broken_lines(trials);
   return {err.empty() ? 0 : 1,
           write_console(stress_summary(forms), Precision::report, options.terminal) + "\n" +

@@ -17,7 +17,7 @@ Outcome list_devices_command(const BenchOptions& options);
 
 /// `bench --device`: times and errors of forms; these are made once the device is open.
 bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::Trade()>& forms,
-                             const Checkpoint& checkpoint, const Progress& progress);
+                             const Watched& work);
 
 /// What evaluates forms: this processor or a graphics device.
 struct Sweeper {

@@ -23,11 +23,11 @@ Outcome list_devices_command(const BenchOptions& options) {
 }
 
 bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::Trade()>& forms,
-                             const Checkpoint& checkpoint, const Progress& progress) {
+                             const Watched& work) {
   const auto plan = options.quick ? device::quick_device_plan : device::full_device_plan;
   device::VulkanDevice for_times({.place = *options.device, .has_buffers_on_device = true});
   device::VulkanDevice for_values({.place = *options.device});
-  return device::measure_on_device(for_times, for_values, forms(), plan, bar(checkpoint, progress, "bench"));
+  return device::measure_on_device(for_times, for_values, forms(), plan, bar(work, "bench"));
 }
 
 Sweeper sweeper_on_device(const BenchOptions& options) {

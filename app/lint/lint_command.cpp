@@ -227,7 +227,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   lint.add_flag("--all", options.all, "also print the constants that are right");
 }
 
-Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome lint_command(const LintOptions& given, const Watched& work) {
   lint::TreeOptions tree;
   const LintOptions options = with_config(given, tree);
   if (options.diff && options.format != findings::FindingFormat::text)
@@ -243,17 +243,17 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   std::vector<std::string> refused;
   const lint::KnownConstants known = known_constants(options.studies, &refused);
   if (std::ranges::find(options.paths, "-") != options.paths.end())
-    return report_of(lint_standard_input(options, known, limits, checkpoint), shown, given);
-  progress("reading the source tree");
+    return report_of(lint_standard_input(options, known, limits, work.checkpoint), shown, given);
+  work.progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
+  const Checkpoint next = stepping(work, "lint", lint::count_pieces(sources));
   lint::LintedTree linted =
-      lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
-  progress("");
+      lint_tree(sources, known, limits, {.before_each = next, .checkpoint = work.checkpoint});
+  work.progress("");
   linted.skipped.messages.insert(linted.skipped.messages.begin(), refused.begin(), refused.end());
   if (!options.fix && !options.diff) return report_of(linted, shown, given);
   const auto judge = [&](const lint::SourceFile& file, const std::string& text) {
-    return lint_source(file.name, text, file.language, known, limits, checkpoint);
+    return lint_source(file.name, text, file.language, known, limits, work.checkpoint);
   };
   const std::vector<FixedFile> files =
       fixed_files(linted, sources, options.fix.value_or(lint::FixScope::pins), judge);

@@ -46,6 +46,6 @@ void declare_lint(CLI::App& lint, LintOptions& options);
 
 /// Exit code 1 if a site has a grade that fails: with `fix`, after it; with `diff`, if there is one. Throws
 /// UserError for bad paths, a bad configuration and a bad baseline.
-Outcome lint_command(const LintOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+Outcome lint_command(const LintOptions& options, const Watched& work);
 
 }  // namespace shadefit
