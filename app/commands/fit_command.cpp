@@ -4,11 +4,14 @@
 
 #include "app/commands/commands.hpp"
 #include "app/output/draw_figures.hpp"
+#include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/round_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/figures/figures.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/gnuplot.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
@@ -119,7 +122,7 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Watched& wo
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
 struct StudyExtras {
   std::vector<std::optional<ProvenStudy>> proofs;
-  std::vector<RoundedFit> rounded, evaluated;
+  std::vector<RoundedFit> rounded;  ///< by --round or --evaluate, which exclude each other
   std::vector<std::optional<Sensitivity>> sensitivities;
 };
 
@@ -155,14 +158,11 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
                                             width, work.checkpoint),
                               "fitted"};
     }
-    const auto rounded = [&](const std::optional<NumberFormat>& format, const auto& round) {
-      if (!format) return RoundedFit{};
-      return rounded_fit(study, studies.size() > 1, [&] {
-        return round(objective, study.fit, *format, published_values(study), work.checkpoint);
-      });
-    };
-    extras.rounded.push_back(rounded(options.round, round_study));
-    extras.evaluated.push_back(rounded(options.evaluate, evaluate_study));
+    if (const auto& format = options.round ? options.round : options.evaluate)
+      extras.rounded.push_back(rounded_fit(study, studies.size() > 1, [&] {
+        return (options.round ? round_study : evaluate_study)(objective, study.fit, *format,
+                                                              published_values(study), work.checkpoint);
+      }));
     extras.sensitivities.emplace_back();
     if (is_answer && options.sensitivity)
       extras.sensitivities.back() = sensitivity_of(objective, study.fit, work.checkpoint);
@@ -199,13 +199,13 @@ std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, con
 
 std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
                          const StudyExtras& extras, const FitOptions& options) {
-  const auto& [proofs, rounded, evaluated, sensitivities] = extras;
+  const auto& [proofs, rounded, sensitivities] = extras;
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
       if (proofs[i]) add_study_proof(json[i], *proofs[i]);
-      if (options.round) add_rounding(json[i], "rounded", studies[i], rounded[i]);
-      if (options.evaluate) add_rounding(json[i], "evaluated", studies[i], evaluated[i]);
+      if (!rounded.empty())
+        add_rounding(json[i], options.round ? "rounded" : "evaluated", studies[i], rounded[i]);
       if (sensitivities[i]) json[i]["sensitivity"] = sensitivity_json(studies[i], *sensitivities[i]);
     }
     return json_text_of_each(json);
@@ -217,8 +217,7 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
   }
   if (options.latex) return latex_text(file, studies);
   std::string out = console_text(file, studies, options.terminal) + proofs_block(proofs, options.terminal);
-  if (options.round) out += roundings_text(studies, rounded, options.terminal);
-  if (options.evaluate) out += roundings_text(studies, evaluated, options.terminal);
+  if (!rounded.empty()) out += roundings_text(studies, rounded, options.terminal);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += sensitivity_text(studies[i], *sensitivities[i], options.terminal);
   }
@@ -230,7 +229,13 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
 Outcome with_picture(Outcome outcome, const FitOptions& options, const std::function<Figure()>& figure,
                      const Checkpoint& checkpoint) {
   if (!options.plot) return outcome;
-  outcome.put = draw_picture(figure(), *options.plot, options.force, checkpoint);
+  const Figure made = figure();
+  const auto output = output_file("--plot", *options.plot, "the picture");
+  const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({made}), {made.name}, checkpoint);
+  if (!pictures.failed.empty())
+    throw UserError(
+        fmt::format("--plot '{}' was not drawn: {}", *options.plot, pictures.failed.front().complaint));
+  outcome.put = prepare_output_file(output, pictures.files.front().content, options.force, checkpoint);
   const std::string file = printable(*options.plot);
   if (options.json || options.csv || options.latex)
     outcome.err += fmt::format("shadefit: picture: {}\n", file);
