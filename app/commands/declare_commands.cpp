@@ -48,6 +48,8 @@ void add_time_limit(CLI::App& app, Call& call) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == "cite") continue;
     const auto limit = [&call](const std::string& text) {
+      const auto parse_seconds =
+          parse_finite_with([](double seconds) { return seconds > 0; }, "must be greater than 0");
       call.work.checkpoint = limited(call.work.checkpoint, parse_seconds("--time-limit", text));
     };
     command

@@ -197,11 +197,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   Choices<std::string> grades;
   for (const std::string& word : fail_on_words()) grades.emplace_back(word, word);
   add_choice(lint, "--fail-on", options.fail_on, grades, "the mildest grade that fails (default: wrong)");
-  const auto effect = [](const std::string& option, const std::string& text) {
-    const double value = parse_finite(option, text);
-    if (value < 0) throw UserError(fmt::format("{} '{}' must be at least 0", option, text));
-    return value;
-  };
+  const auto effect = parse_finite_with([](double value) { return value >= 0; }, "must be at least 0");
   add_value(
       lint, "--max-effect", options.max_effect, effect, "X",
       "a number that moves its curve by more is wrong (default: 0.001; for a colour half an 8-bit sRGB code)");

@@ -48,6 +48,9 @@ void add_metric(CLI::App& command, FitOptions& fit) {
       command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
       "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
       "of a Fresnel form");
+  // At 1 nothing would be left to fit.
+  const auto parse_f0 = parse_finite_with([](double f0) { return 0 <= f0 && f0 < 1; },
+                                          "is not a reflectance at normal incidence: it must be in [0, 1)");
   add_value(
       command, "--f0", fit.f0, parse_f0, "F0",
       fmt::format("reflectance at normal incidence, for the relative error of a Fresnel form (default: {})",

@@ -57,12 +57,6 @@ double parse_finite(const std::string& option, const std::string& text) {
   return *value;
 }
 
-double parse_seconds(const std::string& option, const std::string& text) {
-  const double seconds = parse_finite(option, text);
-  if (!(seconds > 0)) throw UserError(fmt::format("{} '{}' must be greater than 0", option, text));
-  return seconds;
-}
-
 double parse_percentage(const std::string& option, const std::string& text) {
   const bool has_sign = text.ends_with('%');
   const double percent = has_sign ? parse_finite(option, text.substr(0, text.size() - 1)) : 0;
@@ -95,14 +89,6 @@ Domain parse_domain(const std::string& option, const std::string& text) {
     refuse(fmt::format("is {:.3g} wide: at least {:g}, a million roundings of a cosine", *upper - *lower,
                        narrowest_domain));
   return {*lower, *upper};
-}
-
-double parse_f0(const std::string& option, const std::string& text) {
-  const double f0 = parse_finite(option, text);
-  if (!(0 <= f0 && f0 < 1))
-    throw UserError(
-        fmt::format("{} '{}' is not a reflectance at normal incidence: it must be in [0, 1)", option, text));
-  return f0;
 }
 
 Held parse_held(const std::string& option, const std::string& text) {

@@ -89,7 +89,16 @@ std::string parse_text(const std::string& option, const std::string& text);
 
 /// A finite number.
 double parse_finite(const std::string& option, const std::string& text);
-double parse_seconds(const std::string& option, const std::string& text);
+
+/// A parser of finite numbers that `is_good` takes; for others `rule` follows the option and the text.
+template <class IsGood>
+auto parse_finite_with(const IsGood& is_good, const std::string& rule) {
+  return [=](const std::string& option, const std::string& text) {
+    const double value = parse_finite(option, text);
+    if (!is_good(value)) throw UserError(fmt::format("{} '{}' {}", option, text, rule));
+    return value;
+  };
+}
 
 /// "10%" as 0.1: a percentage above 0.
 double parse_percentage(const std::string& option, const std::string& text);
@@ -100,9 +109,6 @@ std::vector<double> parse_exponents(const std::string& option, const std::string
 /// "A:B" with 0 <= A < B <= 1, at least 1e-10 wide. A and B are formulas of numbers. In degrees they are
 /// angles, "0deg:30deg", whose cosines count.
 Domain parse_domain(const std::string& option, const std::string& text);
-
-/// A reflectance at normal incidence, at least 0 and below 1: at 1 nothing would be left to fit.
-double parse_f0(const std::string& option, const std::string& text);
 
 /// "NAME=VALUE" with a finite number, decimal or hexadecimal as shadefit prints it.
 Held parse_held(const std::string& option, const std::string& text);
