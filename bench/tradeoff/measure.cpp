@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <map>
+#include <memory>
 #include <random>
 #include <span>
 #include <vector>
@@ -52,53 +52,39 @@ std::string code_of(const Trade& trade) {
   return code;
 }
 
-/// Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
-void keep(const void* memory) {
-  asm volatile("" : : "r"(memory) : "memory");
-}
-
-/// Arrays that fit into the first cache together. Their points lie in the ranges of the arguments, unsorted.
-class FilledArrays {
- public:
-  explicit FilledArrays(const std::vector<Range>& ranges) {
-    // Half of 32 KiB, the smallest cache of x86-64 processors of the last decade, so that other data fit too.
-    constexpr std::size_t bytes = 16 * 1024;
-    size_ = bytes / (sizeof(float) * (ranges.size() + 1)) / 64 * 64;
-    // Each array has another offset in its page; otherwise loads would wait for stores.
-    const std::size_t stride = (size_ + 1023) / 1024 * 1024 + 128;
-    memory_.resize((ranges.size() + 1) * stride);
-    std::minstd_rand random;
-    for (const Range& range : ranges) {
-      std::uniform_real_distribution within(range.from, range.to);
-      float* const array = &memory_[in_.size() * stride];
-      std::generate_n(array, size_, [&] { return static_cast<float>(within(random)); });
-      in_.push_back(array);
+/// A loop over arrays that fit into the first cache together. Their points lie in the ranges of the
+/// arguments, unsorted.
+Work work_of(Loop loop, const std::vector<Range>& ranges) {
+  // Half of 32 KiB, the smallest cache of x86-64 processors of the last decade, so that other data fit too.
+  constexpr std::size_t bytes = 16 * 1024;
+  const std::size_t size = bytes / (sizeof(float) * (ranges.size() + 1)) / 64 * 64;
+  // Each array has another offset in its page; otherwise loads would wait for stores.
+  const std::size_t stride = (size + 1023) / 1024 * 1024 + 128;
+  const auto memory = std::make_shared<std::vector<float>>((ranges.size() + 1) * stride);
+  float* array = memory->data();
+  std::vector<const float*> in;
+  std::minstd_rand random;
+  for (const Range& range : ranges) {
+    std::uniform_real_distribution within(range.from, range.to);
+    std::generate_n(array, size, [&] { return static_cast<float>(within(random)); });
+    in.push_back(array);
+    array += stride;
+  }
+  const auto run = [memory, in, out = array, size, loop](long calls) {
+    const auto start = std::chrono::steady_clock::now();
+    for (long i = 0; i < calls; ++i) {
+      loop(in.data(), out, static_cast<long>(size));
+      // Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
+      asm volatile("" : : "r"(out) : "memory");
     }
-    out_ = &memory_[in_.size() * stride];
-  }
-
-  Work work(Loop loop) {
-    const auto run = [=, this](long calls) {
-      const auto start = std::chrono::steady_clock::now();
-      for (long i = 0; i < calls; ++i) {
-        loop(in_.data(), out_, static_cast<long>(size_));
-        keep(out_);
-      }
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    return {[=](long calls) {
-              run(calls / 8 + 1);  // an eighth of a visit restores caches and branch prediction
-              return run(calls);
-            },
-            static_cast<double>(size_)};
-  }
-
- private:
-  std::size_t size_;
-  std::vector<float> memory_;
-  std::vector<const float*> in_;
-  float* out_;
-};
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  return {[run](long calls) {
+            run(calls / 8 + 1);  // an eighth of a visit restores caches and branch prediction
+            return run(calls);
+          },
+          static_cast<double>(size)};
+}
 
 }  // namespace
 
@@ -150,16 +136,14 @@ Trade measure(Trade trade, const TimingPlan& plan, const std::function<void(doub
   forms.insert(forms.begin(),
                {.form = "multiply-add", .label = "multiply-add", .function = multiply_add_chain()});
   for (std::size_t i = 0; i < forms.size(); ++i) forms[i].function.name = fmt::format("form_{}", i);
-  std::map<std::string, FilledArrays> arrays;  // work points to them
-  arrays.try_emplace("", std::vector{Range{0, 1}});
-  for (const TimedTarget& target : trade.targets) arrays.try_emplace(target.id, target.ranges);
   between(0);
   const std::shared_ptr<void> code = compiled_code(code_of(trade));
   std::vector<Work> work;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     if (trade.is_timed_before(i)) continue;
     void* const loop = ::dlsym(code.get(), ("loop_" + forms[i].function.name).c_str());
-    work.push_back(arrays.at(forms[i].target).work(reinterpret_cast<Loop>(loop)));
+    work.push_back(work_of(reinterpret_cast<Loop>(loop),
+                           i == 0 ? std::vector{Range{0, 1}} : target_of(trade, forms[i]).ranges));
   }
   const std::vector<Samples> samples = time_interleaved(work, plan, between);
 
