@@ -78,12 +78,6 @@ struct Places {
   }
 };
 
-/// The distance between the numbers of a format around a normal x.
-template <class R>
-long double ulp_of(long double x) {
-  return std::ldexp(1.0L, std::ilogb(x) - std::numeric_limits<R>::digits + 1);
-}
-
 struct Errors {
   double absolute = 0, relative = 0, rms = 0, ulps = 0, codes = 0;
   double at = 0;
@@ -101,8 +95,9 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
     square += difference * difference;
     errors.absolute = std::max(errors.absolute, off[i]);
     if (std::fabs(truth) >= static_cast<long double>(visible)) {
-      const long double ulps = std::fabs(difference) / ulp_of<R>(truth);
-      errors.ulps = std::max(errors.ulps, static_cast<double>(ulps));
+      // The distance between the numbers of the format around a normal one.
+      const long double ulp = std::ldexp(1.0L, std::ilogb(truth) - std::numeric_limits<R>::digits + 1);
+      errors.ulps = std::max(errors.ulps, static_cast<double>(std::fabs(difference) / ulp));
     }
     effect.show(static_cast<double>(truth), results[i], {{"c = ", places.cosine(i)}});
   }

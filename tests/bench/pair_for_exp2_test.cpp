@@ -1,5 +1,3 @@
-#include "bench/forms/pair_for_exp2.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,11 +6,13 @@
 #include <utility>
 
 #include "approx/fresnel.hpp"
+#include "bench/forms/catalogue.hpp"
 #include "tests/bench/exp2_choices.hpp"
 
 namespace shadefit {
 namespace {
 
+using forms::fit_pair_for_exp2;
 using testing::for_each_degree;
 
 /// max |form - (1-c)^5| of a pair with the polynomial, sampled: every c of a fine grid.
