@@ -36,19 +36,16 @@ bench::Trade forms_to_time(const BenchOptions& options, const Checkpoint& checkp
                                 options.device ? bench::Exp2Kinds::library : bench::Exp2Kinds::polynomials);
 }
 
-bench::Trade timed(const BenchOptions& options, const Watched& work) {
-  const auto forms = [&] { return forms_to_time(options, work.checkpoint); };
-  if (options.device) return trade_on_device(options, forms, work);
-  return measure(forms(), options.quick ? bench::quick_plan : bench::full_plan, bar(work, "bench"));
-}
-
 }  // namespace
 
 Outcome bench_command(const BenchOptions& options, const Watched& work) {
   if (options.list_devices) return list_devices_command(options);
   if (options.exhaustive) return exhaustive_command(options, work);
   require_writable(options.out);
-  const bench::Trade trade = timed(options, work);
+  const auto forms = [&] { return forms_to_time(options, work.checkpoint); };
+  const bench::TimingPlan& plan = options.quick ? bench::quick_plan : bench::full_plan;
+  const bench::Trade trade = options.device ? trade_on_device(options, forms, work)
+                                            : bench::measure(forms(), plan, bar(work, "bench"));
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
   auto [files, missing, said, failed] = draw_figures(figures, options.out, work.checkpoint);
   const auto report = bench::bench_files(trade, figures);

@@ -50,10 +50,6 @@ Words words_for(const CLI::App& app, const std::string& type) {
   return words;
 }
 
-bool is_path(const std::string& type) {
-  return type == "FILE" || type == "DIR";
-}
-
 bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
@@ -70,7 +66,7 @@ std::string by_cases(const CLI::App& app, const Actions& actions) {
   const auto offer = [&](const std::string& type) -> std::string {
     const Words words = words_for(app, type);
     if (!words.empty()) return fmt::format(fmt::runtime(actions.words), fmt::join(words, " "));
-    return is_path(type) ? actions.paths : actions.nothing;
+    return type == "FILE" || type == "DIR" ? actions.paths : actions.nothing;
   };
   std::string out = fmt::format(fmt::runtime(actions.begin), fmt::join(words_for(app, "COMMAND"), " "));
   for (const CLI::App* command : app.get_subcommands({})) {

@@ -11,15 +11,6 @@
 namespace shadefit {
 namespace {
 
-/// The options that the command line has.
-std::set<std::string> present_in(const CLI::App& command) {
-  std::set<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() > 0) names.insert(option->get_name());
-  }
-  return names;
-}
-
 /// Declares a command. Its options live as long as the command; `declare` adds them, `run` runs it.
 template <class Options, class Run>
 void add_command(CLI::App& app, Call& call, const std::string& name, const std::string& help,
@@ -32,7 +23,10 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   command->callback([=, &call] {
     const auto tell = [&](auto& of) {
       if constexpr (requires { of.terminal; }) of.terminal = call.terminal;
-      if constexpr (requires { of.present; }) of.present = present_in(*command);
+      if constexpr (requires { of.present; }) {
+        for (const CLI::Option* option : command->get_options())
+          if (option->count() > 0) of.present.insert(option->get_name());
+      }
       if constexpr (requires { of.words; })
         of.words = words_of(
             *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});

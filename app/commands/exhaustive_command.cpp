@@ -48,12 +48,6 @@ std::vector<bench::SweptForm> swept_forms(const std::vector<forms::Target>& cata
   return all;
 }
 
-/// The form with its constants in words: "sg, published-sg-offset-mean".
-std::string words_of(const bench::SweptForm& swept) {
-  const std::string& set = swept.constants->id;
-  return std::string(swept.form->id) + (set == "none" ? "" : ", " + set);
-}
-
 std::string hex_place(std::uint32_t at) {
   return hex_text(static_cast<double>(std::bit_cast<float>(at)));
 }
@@ -100,9 +94,10 @@ Outcome exhaustive_command(const BenchOptions& options, const Watched& work) {
           show((static_cast<double>(table.rows.size()) + share) / static_cast<double>(swept.size()));
         });
     append_row(table, form, found);
+    const std::string& set = form.constants->id;
     for (const std::uint32_t at : found.beyond_at)
-      beyond += fmt::format("beyond the bound: {} at c = {} ({:.6g})\n", words_of(form), hex_place(at),
-                            std::bit_cast<float>(at));
+      beyond += fmt::format("beyond the bound: {}{} at c = {} ({:.6g})\n", form.form->id,
+                            set == "none" ? "" : ", " + set, hex_place(at), std::bit_cast<float>(at));
     if (is_one) histogram = "\n" + write_console(ulps_table(found), Precision::report, options.terminal);
   }
   Outcome outcome{beyond.empty() ? 0 : 1,

@@ -124,13 +124,6 @@ std::function<void()> prepare_files(const std::vector<FixedFile>& files) {
   };
 }
 
-std::string words_of(const std::vector<FixedFile>& files) {
-  long numbers = 0;
-  for (const FixedFile& file : files) numbers += file.numbers;
-  return fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
-                     counted(std::ssize(files), "file"));
-}
-
 lint::LintedTree lint_standard_input(const LintOptions& options, const lint::KnownConstants& known,
                                      const lint::EffectLimits& limits, const Checkpoint& checkpoint) {
   if (options.paths.size() > 1)
@@ -263,7 +256,10 @@ Outcome lint_command(const LintOptions& given, const Watched& work) {
   for (const fs::path& folder : folders) remove_leftovers(folder.empty() ? "." : folder);
   Outcome outcome = report_of(linted, shown, given);
   if (files.empty()) return outcome;
-  outcome.err += words_of(files);
+  long numbers = 0;
+  for (const FixedFile& file : files) numbers += file.numbers;
+  outcome.err += fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
+                             counted(std::ssize(files), "file"));
   outcome.put = prepare_files(files);
   return outcome;
 }
