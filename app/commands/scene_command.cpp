@@ -28,14 +28,6 @@ scene::Wanted wanted_by(const SceneOptions& options) {
   return wanted;
 }
 
-/// The command that prints the code.
-std::string code_command(const SceneOptions& options) {
-  std::vector<std::string> words = options.words;
-  words.insert(words.begin() + 1, options.files.begin(), options.files.end());
-  words.insert(words.end(), {"--lang", std::string(name(*options.language))});
-  return command_text(words);
-}
-
 }  // namespace
 
 Outcome scene_command(const SceneOptions& options, const Watched& work) {
@@ -49,8 +41,12 @@ Outcome scene_command(const SceneOptions& options, const Watched& work) {
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
   const scene::Plan plan = scene::make_plan(scene, wanted, work.checkpoint);
   const int exit_code = plan.is_within() ? 0 : 1;
-  if (options.language)
-    return {exit_code, scene_code(scene, plan, *options.language, code_command(options)), ""};
+  if (options.language) {
+    std::vector<std::string> words = options.words;
+    words.insert(words.begin() + 1, options.files.begin(), options.files.end());
+    words.insert(words.end(), {"--lang", std::string(name(*options.language))});
+    return {exit_code, scene_code(scene, plan, *options.language, command_text(words)), ""};
+  }
   if (options.json) return {exit_code, plan_json(scene, plan), ""};
   std::string out = plan_text(scene, plan, options.terminal);
   std::function<void()> put;
