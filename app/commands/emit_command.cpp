@@ -118,7 +118,7 @@ Outcome emit_command(const EmitOptions& options, const Watched& work) {
   const std::string code = study_code(study, options, work);
   if (!file) return {0, code, ""};
   return {0, fmt::format("Code: {}\n", printable(*options.out)), "",
-          prepare_output_file(*file, code, options.force, work.checkpoint)};
+          prepare_output_file(*file, code, options.fit.force, work.checkpoint)};
 }
 
 }  // namespace shadefit

@@ -44,7 +44,7 @@ Outcome certify_command(const CertifyOptions& options, const Watched& work) {
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   std::function<void()> put;
-  if (out) put = prepare_output_file(*out, certificate_text(first), options.force, work.checkpoint);
+  if (out) put = prepare_output_file(*out, certificate_text(first), options.fit.force, work.checkpoint);
   if (options.fit.json)
     return {err.empty() ? 0 : 1, json_text_of_each(json_array(proofs, study_proof_json)), err, put};
   std::string text = (file.id.empty() ? "" : file.id + ": ") + for_terminal(proof_headline(first)) + "\n" +

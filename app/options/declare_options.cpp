@@ -182,7 +182,7 @@ void add_fit(CLI::App& command, FitOptions& options) {
   add_constraints(command, options.metric);
 }
 
-void add_parameters(CLI::App& command, std::optional<Parameters>& parameters) {
+void add_parameters(CLI::App& command, std::optional<Constants>& parameters) {
   add_value(command, "--parameters", parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
 }
@@ -280,7 +280,7 @@ void declare_certify(CLI::App& certify, CertifyOptions& options) {
                 to_text(usual_study_width(1)), to_text(usual_study_width(2)), to_text(usual_study_width(3))));
   add_value(certify, "--out", options.out, parse_text, "FILE",
             "write the certificate, for 'shadefit verify'");
-  add_force(certify, options.force);
+  add_force(certify, options.fit.force);
   add_json(certify, options.fit.json);
 }
 
@@ -302,7 +302,7 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
-  add_force(emit, options.force);
+  add_force(emit, options.fit.force);
   add_values(emit, "--check", options.check, parse_text, "FILE",
              "exit 1 unless shadefit would generate these files again as they are")
       ->allow_extra_args();

@@ -99,8 +99,8 @@ Held parse_held(const std::string& option, const std::string& text) {
   return {parts->first, *value};
 }
 
-Parameters parse_parameters(const std::string& option, const std::string& text) {
-  Parameters parameters;
+Constants parse_parameters(const std::string& option, const std::string& text) {
+  Constants parameters;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const auto part = split(text.substr(start, end - start));

@@ -114,7 +114,7 @@ Domain parse_domain(const std::string& option, const std::string& text);
 Held parse_held(const std::string& option, const std::string& text);
 
 /// "a=-5.55473,b=-6.98316"; the values stay texts, as a proof needs every digit.
-Parameters parse_parameters(const std::string& option, const std::string& text);
+Constants parse_parameters(const std::string& option, const std::string& text);
 
 /// A relative width of bounds that double precision can reach.
 double parse_relative_width(const std::string& option, const std::string& text);

@@ -10,6 +10,7 @@
 #include "app/options/outcome.hpp"
 #include "bench/forms/float_errors.hpp"
 #include "fit/catalogue/surface.hpp"
+#include "fit/proof/constants.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/study/study.hpp"
@@ -86,25 +87,20 @@ struct FitOptions {
   Terminal terminal = {};
 };
 
-/// Names and values, as written.
-using Parameters = std::vector<std::pair<std::string, std::string>>;
-
 struct CertifyOptions {
   FitOptions fit = {};
-  std::optional<Parameters> parameters = {};  ///< empty: the published ones, else fitted
-  std::optional<double> width = {};           ///< of the bounds, relative; empty: the usual one
-  std::optional<std::string> out = {};        ///< a file for the certificate
-  bool force = false;                         ///< as in `RunOptions`
+  std::optional<Constants> parameters = {};  ///< as written; empty: the published ones, else fitted
+  std::optional<double> width = {};          ///< of the bounds, relative; empty: the usual one
+  std::optional<std::string> out = {};       ///< a file for the certificate
 };
 
 struct EmitOptions {
   FitOptions fit = {};
-  std::optional<Parameters> parameters = {};  ///< as in `CertifyOptions`
-  std::optional<Language> language = {};      ///< empty with `check`
+  std::optional<Constants> parameters = {};  ///< as in `CertifyOptions`
+  std::optional<Language> language = {};     ///< empty with `check`
   ShaderPrecision precision = ShaderPrecision::float32;
   std::optional<std::string> name = {};  ///< of the function; empty: the family's
   std::optional<std::string> out = {};   ///< a file; empty: printed
-  bool force = false;                    ///< as in `RunOptions`
   bool better = false;                   ///< the set that is better than the published one
   std::vector<std::string> check = {};   ///< generated files
 };
