@@ -65,7 +65,8 @@ int main(int argc, char** argv) {
   progress("");
   // The user may press Ctrl-C again while the first is handled.
   const bool is_interrupted = outcome.exit_code > 128;
-  if (is_interrupted) shadefit::take_waiting(signals);
+  while (is_interrupted && shadefit::take_signal(signals) > 0) {
+  }
   // The signals stay held: printing checks for them, and none can end the process without a message.
   const auto printed = shadefit::print(STDOUT_FILENO, outcome.out, signals);
   if (printed.error == EPIPE && !outcome.put) end_by(SIGPIPE);

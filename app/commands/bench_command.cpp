@@ -3,16 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/study_commands.hpp"
+#include "app/commands/commands.hpp"
 #include "app/device/device_commands.hpp"
-#include "app/options/bench_options.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
-#include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
-#include "bench/forms/accuracy.hpp"
 #include "bench/tradeoff/measure.hpp"
 #include "bench/tradeoff/report.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/input/known.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
@@ -22,11 +20,11 @@ namespace shadefit {
 namespace {
 
 /// The forms of the catalogue, or of a study, in the language of what times them.
-bench::FormsToTime forms_to_time(const BenchOptions& options, const Checkpoint& checkpoint) {
+bench::Trade forms_to_time(const BenchOptions& options, const Checkpoint& checkpoint) {
   const Language language = options.device ? Language::glsl : Language::c;
   if (options.study) {
     const StudyFile file = named_study(*options.study, study_folders(options.studies));
-    return bench::study_forms(file.id, comparisons_of(file, checkpoint), language);
+    return bench::study_forms(file.id, comparisons_of(file, {checkpoint, unwatched}), language);
   }
   const std::vector<forms::Target> catalogue = forms::catalogue();
   std::vector<std::string> known;
@@ -38,27 +36,18 @@ bench::FormsToTime forms_to_time(const BenchOptions& options, const Checkpoint& 
                                 options.device ? bench::Exp2Kinds::library : bench::Exp2Kinds::polynomials);
 }
 
-bench::Trade timed(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const auto forms = [&] { return forms_to_time(options, checkpoint); };
-  if (options.device) return trade_on_device(options, forms, checkpoint, progress);
-  return measure(forms(), options.quick ? bench::quick_plan : bench::full_plan, bench::now,
-                 bar(checkpoint, progress, "bench"));
-}
-
 }  // namespace
 
-std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& progress) {
-  const auto show = bar(progress, "errors of every form");
-  return {{accuracy_file, write_csv(forms::accuracy_table(checkpoint, show), Precision::report)}};
-}
-
-Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome bench_command(const BenchOptions& options, const Watched& work) {
   if (options.list_devices) return list_devices_command(options);
-  if (options.exhaustive) return exhaustive_command(options, checkpoint, progress);
-  const OutputFolder folder(options.out);
-  const bench::Trade trade = timed(options, checkpoint, progress);
+  if (options.exhaustive) return exhaustive_command(options, work);
+  require_writable(options.out);
+  const auto forms = [&] { return forms_to_time(options, work.checkpoint); };
+  const bench::TimingPlan& plan = options.quick ? bench::quick_plan : bench::full_plan;
+  const bench::Trade trade = options.device ? trade_on_device(options, forms, work)
+                                            : bench::measure(forms(), plan, bar(work, "bench"));
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
-  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, work.checkpoint);
   const auto report = bench::bench_files(trade, figures);
   files.insert(files.end(), report.begin(), report.end());
   std::string out;
@@ -71,7 +60,8 @@ Outcome bench_command(const BenchOptions& options, const Checkpoint& checkpoint,
                     write_console(bench::times_table(trade, target.id), Precision::report, options.terminal));
   out.pop_back();  // the next line is an empty one too
   out += said + "\nReport: " + printable((std::filesystem::path(options.out) / "bench.md").string()) + "\n";
-  return {failed.empty() ? 0 : 1, out, failed, folder.prepare(files, missing, options.force, checkpoint)};
+  return {failed.empty() ? 0 : 1, out, failed,
+          prepare_output(options.out, files, missing, options.force, work.checkpoint)};
 }
 
 }  // namespace shadefit

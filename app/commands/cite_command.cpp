@@ -5,7 +5,7 @@
 
 namespace shadefit {
 
-Outcome cite_command(const CiteOptions& options) {
+Outcome cite_command(const CiteOptions& options, const Watched&) {
   std::vector<CitedWork> works;
   if (options.id) {
     std::vector<std::string> known = cited_ids();

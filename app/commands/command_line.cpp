@@ -111,12 +111,11 @@ bool asks_for_help(const std::string& argument) {
   return argument == "--help" || argument == "-h";
 }
 
-Outcome parse_and_run(const std::vector<std::string>& given, const Checkpoint& checkpoint,
-                      const Progress& progress, const Terminal& terminal) {
+Outcome parse_and_run(const std::vector<std::string>& given, const Watched& work, const Terminal& terminal) {
   CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
                "shadefit"};
   app.footer("See 'shadefit help COMMAND' for the options and examples of a command.\n");
-  Call call{checkpoint, progress, terminal};
+  Call call{work, terminal};
   declare_commands(app, call);
   if (given.empty())
     return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), given);
@@ -183,8 +182,8 @@ std::string as_one_line(const std::string& lines) {
 Outcome prepare_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
                              const Progress& progress, const Terminal& terminal) {
   try {
-    const Watched work = watch(checkpoint, progress, arguments.empty() ? "" : arguments.front());
-    return parse_and_run(arguments, work.checkpoint, work.progress, terminal);
+    return parse_and_run(arguments, watch(checkpoint, progress, arguments.empty() ? "" : arguments.front()),
+                         terminal);
   } catch (const UserError& error) {
     return user_error(error, arguments);
   } catch (const CheckFailed& error) {

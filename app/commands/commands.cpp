@@ -7,12 +7,11 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
 
-#include "app/commands/study_commands.hpp"
-#include "app/lint/explain_number.hpp"
+#include "app/lint/lint_command.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
-#include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
+#include "bench/forms/accuracy.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/input/known.hpp"
 #include "fit/ledger/ledger.hpp"
@@ -24,6 +23,7 @@
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
 #include "reports/rows/fit_json.hpp"
+#include "reports/rows/stress_tables.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/report.hpp"
@@ -157,10 +157,10 @@ void refuse_studies(const RunOptions& options) {
 
 }  // namespace
 
-Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
+Outcome list_command(const ListOptions& options, const Watched& work) {
   const bool with_verdicts = options.verdict.has_value();
-  Table list =
-      claims_list(wanted_claims(options.verdict, checkpoint), with_verdicts, options.json || options.csv);
+  Table list = claims_list(wanted_claims(options.verdict, work.checkpoint), with_verdicts,
+                           options.json || options.csv);
   const bool is_file = options.id && options.id->ends_with(".toml");
   std::string err;
   if (is_file) {
@@ -178,15 +178,14 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   return {0, write_console(list, Precision::report, options.terminal), err};
 }
 
-Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
-                        const Progress& progress) {
+Outcome explain_command(const ExplainOptions& options, const Watched& work) {
   std::vector<std::string> known = claim_ids();
   const std::string claim = claim_of(options.id);
   if (std::ranges::find(known, claim) == known.end()) {
     const auto folders = study_folders(options.studies);
     if (const auto study = find_study(options.id, folders))
-      return explain_study_command(*study, options, checkpoint, progress);
-    if (const Family* family = find_family(claim)) return explain_family(*family, options, checkpoint);
+      return explain_study_command(*study, options, work);
+    if (const Family* family = find_family(claim)) return explain_family(*family, options, work.checkpoint);
     if (auto number = explain_number(options)) return *std::move(number);
     for (const Family& family : families()) known.emplace_back(family.id);
     for (const auto& path : known_study_files(folders)) known.push_back(path.stem().string());
@@ -198,20 +197,20 @@ Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpo
           options.json ? json_text(explanation_json(judged)) : explanation(judged, options.terminal), ""};
 }
 
-Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.html) return gallery_command(options, checkpoint, progress);
+Outcome run_command(const RunOptions& options, const Watched& work) {
+  if (options.html) return gallery_command(options, work);
   if (options.study)
     return run_study_command(named_study(*options.study, study_folders(options.studies)), options,
-                             checkpoint);
+                             work.checkpoint);
   refuse_studies(options);
-  const OutputFolder folder(options.out);
-  const Results results = compute_results(options.only, checkpoint);
+  require_writable(options.out);
+  const Results results = compute_results(options.only, work.checkpoint);
   // The report shows only figures with a picture, so these are drawn first.
   auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
-  auto [files, missing, said, failed] = draw_figures(figures, options.out, checkpoint);
+  auto [files, missing, said, failed] = draw_figures(figures, options.out, work.checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
-  const auto put = folder.prepare(files, missing, options.force, checkpoint);
+  const auto put = prepare_output(options.out, files, missing, options.force, work.checkpoint);
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
@@ -228,14 +227,16 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   return {err.empty() ? 0 : 1, out, err, put};
 }
 
-Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options) {
+Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options,
+                      const std::string& recomputed) {
   if (options.format != findings::FindingFormat::text) {
     const auto report = drift_findings(checked, options.fail_above);
     return {findings::passes(report) ? 0 : 1, findings::write_findings(report, options.format), ""};
   }
   const auto& [drifts, cells] = checked;
   const std::string baseline = printable(options.baseline);
-  if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
+  if (drifts.empty())
+    return {0, recomputed + fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}};
   // These texts come from the baseline's files and may hold anything, so each becomes one short line.
   for (const Drift& d : drifts) {
@@ -246,44 +247,44 @@ Outcome check_outcome(const CheckedTables& checked, const CheckOptions& options)
   const std::string above =
       options.fail_above ? fmt::format(", {} above {:g} %", failing, 100 * *options.fail_above) : "";
   return {failing == 0 ? 0 : 1,
-          write_console(table, Precision::report, options.terminal) +
+          recomputed + write_console(table, Precision::report, options.terminal) +
               fmt::format("\ncheck {}: {} {} from {}{}\n", failing == 0 ? "passed" : "failed", drifts.size(),
                           drifts.size() == 1 ? "difference" : "differences", baseline, above),
           ""};
 }
 
-Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome check_command(const CheckOptions& options, const Watched& work) {
   if (options.study) {
     const StudyFile study = named_study(*options.study, study_folders(options.studies));
     if (!options.present.contains("--baseline"))
       throw UserError(
           fmt::format("check needs --baseline for a study: DIR of an earlier 'shadefit run {} --out DIR'",
                       *options.study));
-    return check_study_command(study, options, checkpoint);
+    return check_study_command(study, options, work.checkpoint);
   }
   const Baseline baseline = read_baseline(options.baseline);
-  // Reads the baselines of the slow tables too, before anything is computed.
-  std::vector<Baseline> slow_baselines;
-  for (const SlowTables& slow : options.all ? slow_tables : std::vector<SlowTables>{}) {
-    slow_baselines.push_back(
-        read_tables(std::filesystem::path(options.baseline) / slow_tables_folder, slow.names));
-  }
+  // Reads the baseline of the slow tables too, before anything is computed.
+  constexpr const char* accuracy_file = "accuracy.csv";
+  std::optional<Baseline> slow;
+  if (options.all)
+    slow = read_tables(std::filesystem::path(options.baseline) / "slow",
+                       {forms_stress_file, fits_stress_file, accuracy_file});
   std::string recomputed;
   if (options.all) {
     for (const auto& path : study_files(study_folders(options.studies)))
-      recomputed += recomputed_text(load_study(path), checkpoint);
+      recomputed += recomputed_text(load_study(path), work.checkpoint);
   }
-  const Results results = compute_results({}, checkpoint);
+  const Results results = compute_results({}, work.checkpoint);
   CheckedTables checked = compare(baseline, results);
-  for (std::size_t i = 0; i < slow_baselines.size(); ++i) {
-    const auto files = slow_tables[i].make(checkpoint, progress);
-    const auto more = compare_files(slow_baselines[i], files);
+  if (slow) {
+    std::vector<File> files = stress_tables(work.checkpoint);
+    const Table accuracy = forms::accuracy_table(work.checkpoint, bar(work, "errors of every form"));
+    files.push_back({accuracy_file, write_csv(accuracy, Precision::report)});
+    const auto more = compare_files(*slow, files);
     checked.drifts.insert(checked.drifts.end(), more.drifts.begin(), more.drifts.end());
     checked.cells += more.cells;
   }
-  Outcome outcome = check_outcome(checked, options);
-  if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
-  return outcome;
+  return check_outcome(checked, options, recomputed);
 }
 
 }  // namespace shadefit

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "app/commands/declare_commands.hpp"
@@ -19,18 +20,10 @@ using Words = std::vector<std::string>;
 
 /// The possible words of a value, by the name of its type; empty for a number, a file or free text.
 Words words_for(const CLI::App& app, const std::string& type) {
-  const auto with_studies = [](Words words) {
-    const Words studies = study_ids(study_folders({}));
-    words.insert(words.end(), studies.begin(), studies.end());
-    return words;
-  };
   Words words;
-  if (type == "FORM") return with_studies(fitted_ids());
-  if (type == "CLAIM") return with_studies(claim_ids());
-  if (type == "ID") return with_studies(known_ids());
-  if (type == "CITED") return with_studies(cited_ids());
-  if (type == "STUDY") return with_studies({});
-  if (type == "TARGET") {
+  if (type == "COMMAND") {
+    for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
+  } else if (type == "TARGET") {
     for (const forms::Target& target : forms::catalogue()) {
       if (!bench::is_of_several_lights(target)) words.emplace_back(target.id);
     }
@@ -40,21 +33,21 @@ Words words_for(const CLI::App& app, const std::string& type) {
       if (target.arguments != forms::Arguments::cosine) continue;
       for (const forms::FormEntry& form : target.forms) words.emplace_back(form.id);
     }
-  } else if (type == "COMMAND") {
-    for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
-  } else if (type.find('|') != std::string::npos) {
+  } else if (type == "FORM" || type == "CLAIM" || type == "ID" || type == "CITED" || type == "STUDY") {
+    if (type == "FORM") words = fitted_ids();
+    if (type == "CLAIM") words = claim_ids();
+    if (type == "ID") words = known_ids();
+    if (type == "CITED") words = cited_ids();
+    const Words studies = study_ids(study_folders({}));
+    words.insert(words.end(), studies.begin(), studies.end());
+  } else {
     std::istringstream choices(type);
     for (std::string choice; std::getline(choices, choice, '|');) {
-      const bool is_word =
-          choice.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-      if (is_word) words.push_back(choice);
+      if (choice.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos)
+        words.push_back(choice);
     }
   }
   return words;
-}
-
-bool is_path(const std::string& type) {
-  return type == "FILE" || type == "DIR";
 }
 
 bool takes_value(const CLI::Option& option) {
@@ -73,7 +66,7 @@ std::string by_cases(const CLI::App& app, const Actions& actions) {
   const auto offer = [&](const std::string& type) -> std::string {
     const Words words = words_for(app, type);
     if (!words.empty()) return fmt::format(fmt::runtime(actions.words), fmt::join(words, " "));
-    return is_path(type) ? actions.paths : actions.nothing;
+    return type == "FILE" || type == "DIR" ? actions.paths : actions.nothing;
   };
   std::string out = fmt::format(fmt::runtime(actions.begin), fmt::join(words_for(app, "COMMAND"), " "));
   for (const CLI::App* command : app.get_subcommands({})) {

@@ -1,27 +1,15 @@
 #include "app/commands/declare_commands.hpp"
 
 #include <memory>
-#include <type_traits>
 
 #include "app/commands/commands.hpp"
 #include "app/lint/lint_command.hpp"
-#include "app/options/bench_options.hpp"
 #include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
-#include "app/options/scene_options.hpp"
 #include "app/output/interrupt.hpp"
 
 namespace shadefit {
 namespace {
-
-/// The options that the command line has.
-std::set<std::string> present_in(const CLI::App& command) {
-  std::set<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() > 0) names.insert(option->get_name());
-  }
-  return names;
-}
 
 /// Declares a command. Its options live as long as the command; `declare` adds them, `run` runs it.
 template <class Options, class Run>
@@ -33,35 +21,32 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   declare(*command, *options);
   command->allow_extras();  // the command line names the first of them
   command->callback([=, &call] {
-    if constexpr (requires { options->terminal; }) options->terminal = call.terminal;
-    if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
-    if constexpr (requires { options->present; }) options->present = present_in(*command);
-    if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
-    const auto words = words_of(
-        *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
-    if constexpr (requires { options->words; }) options->words = words;
-    if constexpr (requires { options->fit.words; }) options->fit.words = words;
-    Call* const to = &call;  // captured where it is used: not every command takes a checkpoint
-    call.run = [=] {
-      if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&, const Progress&>) {
-        return run(*options, to->checkpoint, to->progress);
-      } else if constexpr (std::is_invocable_v<Run, const Options&, const Checkpoint&>) {
-        return run(*options, to->checkpoint);
-      } else {
-        return run(*options);
+    const auto tell = [&](auto& of) {
+      if constexpr (requires { of.terminal; }) of.terminal = call.terminal;
+      if constexpr (requires { of.present; }) {
+        for (const CLI::Option* option : command->get_options())
+          if (option->count() > 0) of.present.insert(option->get_name());
       }
+      if constexpr (requires { of.words; })
+        of.words = words_of(
+            *command, {"file", "--lang", "--out", "--force", "--check", "--json", "--time-limit", "--plot"});
     };
+    tell(*options);
+    if constexpr (requires { options->fit.words; }) tell(options->fit);
+    call.run = [=, &call] { return run(*options, call.work); };
   });
 }
 
-/// For everything that searches.
+/// For all but `cite`, which searches nothing.
 void add_time_limit(CLI::App& app, Call& call) {
-  for (const char* name : {"list", "run", "fit", "better", "certify", "verify", "emit", "scene", "explain",
-                           "bench", "stress", "check", "lint"}) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == "cite") continue;
     const auto limit = [&call](const std::string& text) {
-      call.checkpoint = limited(call.checkpoint, parse_seconds("--time-limit", text));
+      const auto parse_seconds =
+          parse_finite_with([](double seconds) { return seconds > 0; }, "must be greater than 0");
+      call.work.checkpoint = limited(call.work.checkpoint, parse_seconds("--time-limit", text));
     };
-    app.get_subcommand(name)
+    command
         ->add_option_function<std::string>("--time-limit", limit, "stop, with exit code 1, after this time")
         ->type_name("SECONDS");
   }

@@ -15,8 +15,7 @@ namespace shadefit {
 
 /// The environment of a command, and the command that was parsed.
 struct Call {
-  Checkpoint checkpoint;
-  const Progress& progress;
+  Watched work;
   Terminal terminal = {};
   std::function<Outcome()> run = {};
 };

@@ -62,18 +62,17 @@ ChosenStudySubject better_subject(const StudyFile& file, const Study& study, con
 
 /// The same constants for all studies, and the origin of those of the first.
 ChosenStudySubject chosen_for_all(const StudyFile& file, std::vector<Study>& studies,
-                                  const EmitOptions& options, const Checkpoint& checkpoint,
-                                  const Progress& progress) {
+                                  const EmitOptions& options, const Watched& work) {
   if (options.better && studies.size() == 1) {
-    ChosenStudySubject better = better_subject(file, studies.front(), options, checkpoint);
+    ChosenStudySubject better = better_subject(file, studies.front(), options, work.checkpoint);
     studies.front() = better.subject.study;
     return better;
   }
   std::optional<ChosenStudySubject> first;
-  const Checkpoint next = stepping(checkpoint, progress, "emit", studies.size());
+  const Checkpoint next = stepping(work, "emit", studies.size());
   for (Study& study : studies) {
     next();
-    auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
+    auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, work.checkpoint);
     const bool is_for_one = options.better || chosen.from == "fitted" ||
                             (first && first->subject.parameters != chosen.subject.parameters);
     if (studies.size() > 1 && is_for_one)
@@ -86,13 +85,12 @@ ChosenStudySubject chosen_for_all(const StudyFile& file, std::vector<Study>& stu
   return *std::move(first);
 }
 
-std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint,
-                       const Progress& progress) {
+std::string study_code(const StudyFile& file, const EmitOptions& options, const Watched& work) {
   const std::string name = options.name ? parse_function_name(*options.name)
                                         : function_name(file.id.empty() ? "approximation" : file.id);
   std::vector<Study> studies = combinations(file.study, file.given);
-  const auto [subject, from, origin] = chosen_for_all(file, studies, options, checkpoint, progress);
-  StudyFunction code = study_function(studies, subject.parameters, name, origin, checkpoint);
+  const auto [subject, from, origin] = chosen_for_all(file, studies, options, work);
+  StudyFunction code = study_function(studies, subject.parameters, name, origin, work.checkpoint);
   if (is_known_id(file.id) && !options.better) code.facts.front() = code.facts.front() + "; " + file.about;
   const std::vector<OthersText> head{std::string(generated_line), command_of(options), OthersText()};
   return code_below(head, code.facts, code.function, *options.language, options.precision);
@@ -100,12 +98,12 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
 
 }  // namespace
 
-Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome emit_command(const EmitOptions& options, const Watched& work) {
   if (!options.check.empty()) {
     if (!options.fit.id.empty() || options.language)
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
                                   options.check.front()));
-    return check_generated_files(options.check, checkpoint);
+    return check_generated_files(options.check, work.checkpoint);
   }
   if (!options.language) {
     const auto name_of = [](Language language) { return name(language); };
@@ -113,13 +111,14 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   }
   if (options.fit.study.table == "-")
     throw UserError("--table '-' does not go with emit: the code names its table, for --check");
-  const auto file = options.out ? std::optional(OutputFile("--out", *options.out, "the code")) : std::nullopt;
-  const StudyFile study =
-      options.better ? compared_study(options.fit, checkpoint) : chosen_study(options.fit, checkpoint);
-  const std::string code = study_code(study, options, checkpoint, progress);
+  const auto file =
+      options.out ? std::optional(output_file("--out", *options.out, "the code")) : std::nullopt;
+  const StudyFile study = options.better ? compared_study(options.fit, work.checkpoint)
+                                         : chosen_study(options.fit, work.checkpoint);
+  const std::string code = study_code(study, options, work);
   if (!file) return {0, code, ""};
   return {0, fmt::format("Code: {}\n", printable(*options.out)), "",
-          file->prepare(code, options.force, checkpoint)};
+          prepare_output_file(*file, code, options.fit.force, work.checkpoint)};
 }
 
 }  // namespace shadefit

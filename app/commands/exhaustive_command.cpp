@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "app/commands/commands.hpp"
 #include "app/device/device_commands.hpp"
 #include "app/output/output_file.hpp"
 #include "fit/input/known.hpp"
@@ -47,12 +48,6 @@ std::vector<bench::SweptForm> swept_forms(const std::vector<forms::Target>& cata
   return all;
 }
 
-/// The form with its constants in words: "sg, published-sg-offset-mean".
-std::string words_of(const bench::SweptForm& swept) {
-  const std::string& set = swept.constants->id;
-  return std::string(swept.form->id) + (set == "none" ? "" : ", " + set);
-}
-
 std::string hex_place(std::uint32_t at) {
   return hex_text(static_cast<double>(std::bit_cast<float>(at)));
 }
@@ -83,17 +78,15 @@ Table ulps_table(const bench::FloatErrors& found) {
 
 }  // namespace
 
-Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkpoint,
-                           const Progress& progress) {
+Outcome exhaustive_command(const BenchOptions& options, const Watched& work) {
   const std::vector<forms::Target> catalogue = forms::catalogue();
   const std::vector<bench::SweptForm> swept = swept_forms(catalogue, options);
   const bool is_one = *options.exhaustive != "all";
-  std::optional<OutputFolder> folder;
-  if (!is_one) folder.emplace(options.out);
+  if (!is_one) require_writable(options.out);
   const Sweeper sweeper = options.device ? sweeper_on_device(options) : Sweeper{"", bench::subject_of};
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "above 1",
                "below 0", "beyond"}};
-  const auto show = bar(checkpoint, progress, "exhaustive");
+  const auto show = bar(work, "exhaustive");
   std::string beyond, histogram;
   for (const bench::SweptForm& form : swept) {
     const bench::FloatErrors found =
@@ -101,22 +94,23 @@ Outcome exhaustive_command(const BenchOptions& options, const Checkpoint& checkp
           show((static_cast<double>(table.rows.size()) + share) / static_cast<double>(swept.size()));
         });
     append_row(table, form, found);
+    const std::string& set = form.constants->id;
     for (const std::uint32_t at : found.beyond_at)
-      beyond += fmt::format("beyond the bound: {} at c = {} ({:.6g})\n", words_of(form), hex_place(at),
-                            std::bit_cast<float>(at));
+      beyond += fmt::format("beyond the bound: {}{} at c = {} ({:.6g})\n", form.form->id,
+                            set == "none" ? "" : ", " + set, hex_place(at), std::bit_cast<float>(at));
     if (is_one) histogram = "\n" + write_console(ulps_table(found), Precision::report, options.terminal);
   }
   Outcome outcome{beyond.empty() ? 0 : 1,
                   (sweeper.device.empty() ? "" : "on " + sweeper.device + "\n") +
                       write_console(table, Precision::report, options.terminal) + beyond + histogram,
                   ""};
-  if (!folder) return outcome;
+  if (is_one) return outcome;
   const File file{
       "errors.csv",
       write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
   outcome.out +=
       fmt::format("\nResult: {}\n", printable((std::filesystem::path(options.out) / file.name).string()));
-  outcome.put = folder->prepare({file}, {}, options.force, checkpoint);
+  outcome.put = prepare_output(options.out, {file}, {}, options.force, work.checkpoint);
   return outcome;
 }
 

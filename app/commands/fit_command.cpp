@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
+#include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
 #include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/round_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/figures/figures.hpp"
 #include "reports/io/escape.hpp"
+#include "reports/io/gnuplot.hpp"
 #include "reports/io/joined.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/io/writers.hpp"
@@ -101,19 +103,18 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
 
 /// The fits of the first form, one for each combination of given constants, with the verdicts on the
 /// published sets.
-std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
-                                        const Progress& progress) {
+std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Watched& work) {
   std::vector<FittedStudy> studies;
   const std::vector<Study> all = combinations(file.study, file.given);
-  const Checkpoint next = stepping(checkpoint, progress, "fit", all.size());
+  const Checkpoint next = stepping(work, "fit", all.size());
   for (Study study : all) {
     next();
     take_form(study, file.forms.front());
     if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
     StudyObjective objective = objective_of(study, file.norm, file.constraints);
     objective.recompute = file.recompute;
-    studies.push_back({objective, read_formulas(study), fit_study(objective, checkpoint),
-                       judged_sets(file, objective, checkpoint)});
+    studies.push_back({objective, read_formulas(study), fit_study(objective, work.checkpoint),
+                       judged_sets(file, objective, work.checkpoint)});
   }
   return studies;
 }
@@ -121,7 +122,7 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
 struct StudyExtras {
   std::vector<std::optional<ProvenStudy>> proofs;
-  std::vector<RoundedFit> rounded, evaluated;
+  std::vector<RoundedFit> rounded;  ///< by --round or --evaluate, which exclude each other
   std::vector<std::optional<Sensitivity>> sensitivities;
 };
 
@@ -138,14 +139,14 @@ std::vector<double> published_values(const FittedStudy& study) {
 }
 
 StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions& options,
-                      const Checkpoint& checkpoint, const Progress& progress) {
+                      const Watched& work) {
   StudyExtras extras;
   const char* what = options.certify    ? "certify"
                      : options.round    ? "round"
                      : options.evaluate ? "evaluate"
                                         : "sensitivity";
   const bool is_any = options.certify || options.round || options.evaluate || options.sensitivity;
-  const Checkpoint next = stepping(checkpoint, progress, what, is_any ? studies.size() : 0);
+  const Checkpoint next = stepping(work, what, is_any ? studies.size() : 0);
   for (const FittedStudy& study : studies) {
     next();
     const bool is_answer = study.fit.status == Status::converged;
@@ -153,21 +154,18 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
     extras.proofs.emplace_back();
     if (is_answer && options.certify) {
       const double width = usual_study_width(study.read.axes.size());
-      extras.proofs.back() = {
-          certify_study(subject_of(study.asked(), constants_of(study.asked(), study.fit)), width, checkpoint),
-          "fitted"};
+      extras.proofs.back() = {certify_study(subject_of(study.asked(), constants_of(study.asked(), study.fit)),
+                                            width, work.checkpoint),
+                              "fitted"};
     }
-    const auto rounded = [&](const std::optional<NumberFormat>& format, const auto& round) {
-      if (!format) return RoundedFit{};
-      return rounded_fit(study, studies.size() > 1, [&] {
-        return round(objective, study.fit, *format, published_values(study), checkpoint);
-      });
-    };
-    extras.rounded.push_back(rounded(options.round, round_study));
-    extras.evaluated.push_back(rounded(options.evaluate, evaluate_study));
+    if (const auto& format = options.round ? options.round : options.evaluate)
+      extras.rounded.push_back(rounded_fit(study, studies.size() > 1, [&] {
+        return (options.round ? round_study : evaluate_study)(objective, study.fit, *format,
+                                                              published_values(study), work.checkpoint);
+      }));
     extras.sensitivities.emplace_back();
     if (is_answer && options.sensitivity)
-      extras.sensitivities.back() = sensitivity_of(objective, study.fit, checkpoint);
+      extras.sensitivities.back() = sensitivity_of(objective, study.fit, work.checkpoint);
   }
   return extras;
 }
@@ -201,13 +199,13 @@ std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, con
 
 std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
                          const StudyExtras& extras, const FitOptions& options) {
-  const auto& [proofs, rounded, evaluated, sensitivities] = extras;
+  const auto& [proofs, rounded, sensitivities] = extras;
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
       if (proofs[i]) add_study_proof(json[i], *proofs[i]);
-      if (options.round) add_rounding(json[i], "rounded", studies[i], rounded[i]);
-      if (options.evaluate) add_rounding(json[i], "evaluated", studies[i], evaluated[i]);
+      if (!rounded.empty())
+        add_rounding(json[i], options.round ? "rounded" : "evaluated", studies[i], rounded[i]);
       if (sensitivities[i]) json[i]["sensitivity"] = sensitivity_json(studies[i], *sensitivities[i]);
     }
     return json_text_of_each(json);
@@ -219,8 +217,7 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
   }
   if (options.latex) return latex_text(file, studies);
   std::string out = console_text(file, studies, options.terminal) + proofs_block(proofs, options.terminal);
-  if (options.round) out += roundings_text(studies, rounded, options.terminal);
-  if (options.evaluate) out += roundings_text(studies, evaluated, options.terminal);
+  if (!rounded.empty()) out += roundings_text(studies, rounded, options.terminal);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += sensitivity_text(studies[i], *sensitivities[i], options.terminal);
   }
@@ -232,7 +229,13 @@ std::string studies_text(const StudyFile& file, const std::vector<FittedStudy>& 
 Outcome with_picture(Outcome outcome, const FitOptions& options, const std::function<Figure()>& figure,
                      const Checkpoint& checkpoint) {
   if (!options.plot) return outcome;
-  outcome.put = draw_picture(figure(), *options.plot, options.force, checkpoint);
+  const Figure made = figure();
+  const auto output = output_file("--plot", *options.plot, "the picture");
+  const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({made}), {made.name}, checkpoint);
+  if (!pictures.failed.empty())
+    throw UserError(
+        fmt::format("--plot '{}' was not drawn: {}", *options.plot, pictures.failed.front().complaint));
+  outcome.put = prepare_output_file(output, pictures.files.front().content, options.force, checkpoint);
   const std::string file = printable(*options.plot);
   if (options.json || options.csv || options.latex)
     outcome.err += fmt::format("shadefit: picture: {}\n", file);
@@ -241,21 +244,21 @@ Outcome with_picture(Outcome outcome, const FitOptions& options, const std::func
   return outcome;
 }
 
-Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome fit_command(const FitOptions& options, const Watched& work) {
   const Published* published = find_published(options.id);
   if (published != nullptr && published->statement != Statement::best_fit)
     throw UserError(
         fmt::format("'{0}' is a mean or a limit of fits, no fit: see 'shadefit explain {0}'", published->id));
-  const StudyFile file = chosen_study(options, checkpoint);
+  const StudyFile file = chosen_study(options, work.checkpoint);
   if (options.certify && file.study.rows)
     throw UserError("--certify does not go with --table: rows have no error between them");
   if (options.plot) require_picture(*options.plot);
-  const auto studies = fitted_studies(file, checkpoint, progress);
+  const auto studies = fitted_studies(file, work);
   const std::string err = not_converged_lines(studies);
-  const auto extras = extras_of(studies, options, checkpoint, progress);
+  const auto extras = extras_of(studies, options, work);
   return with_picture(
       {err.empty() ? 0 : 1, studies_text(file, studies, extras, options), err}, options,
-      [&] { return study_figure(studies); }, checkpoint);
+      [&] { return study_figure(studies); }, work.checkpoint);
 }
 
 }  // namespace shadefit

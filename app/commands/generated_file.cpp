@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <sstream>
 #include <string_view>
@@ -18,9 +17,6 @@ namespace shadefit {
 namespace {
 
 constexpr std::string_view line_prefix = "// shadefit ";
-
-/// The commands that print code.
-constexpr std::array<std::string_view, 2> generators{"emit", "scene"};
 
 /// Splits a line into words like a shell: quoted text is one word, and \\ before a quote outside quotes is a
 /// quote.
@@ -45,23 +41,17 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-/// The command of a line, if it is one that prints code and neither writes nor checks a file; else empty.
-std::vector<std::string> command_of_line(const std::string& line) {
-  if (!line.starts_with(line_prefix)) return {};
-  std::vector<std::string> words = words_of(std::string_view(line).substr(line_prefix.size()));
-  const bool is_generator =
-      !words.empty() && std::ranges::find(generators, words.front()) != generators.end();
+/// The first command that prints code and neither writes nor checks a file.
+std::vector<std::string> command_in(const std::string& code, const std::string& file) {
   const auto is_forbidden = [](const std::string& word) {
     return word.starts_with("--check") || word.starts_with("--out");
   };
-  if (!is_generator || std::ranges::any_of(words, is_forbidden)) return {};
-  return words;
-}
-
-std::vector<std::string> command_in(const std::string& code, const std::string& file) {
   std::istringstream lines(code);
   for (std::string line; std::getline(lines, line);) {
-    if (auto command = command_of_line(line); !command.empty()) return command;
+    if (!line.starts_with(line_prefix)) continue;
+    std::vector<std::string> words = words_of(std::string_view(line).substr(line_prefix.size()));
+    const bool prints_code = !words.empty() && (words.front() == "emit" || words.front() == "scene");
+    if (prints_code && std::ranges::none_of(words, is_forbidden)) return words;
   }
   throw UserError(fmt::format("--check '{}' names no command '{}emit ..' or '{}scene ..'", file, line_prefix,
                               line_prefix));

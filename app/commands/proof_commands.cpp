@@ -14,33 +14,9 @@
 
 /// The subcommands `certify` and `verify`.
 namespace shadefit {
-namespace {
 
-/// What `verify` found of a certificate.
-struct VerifiedCertificate {
-  std::string refused;    ///< the reason; empty: it holds
-  std::string statement;  ///< what it proves, on lines of their own
-};
-
-VerifiedCertificate verified(const std::string& text, const std::string& file, const ShareDone& done) {
-  const auto read = read_study_certificate(text, file);
-  const StudyCertificate& certificate = read.certificate;
-  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
-  if (!reason.empty()) return {reason, ""};
-  const Study& study = certificate.subject.study;
-  return {"",
-          fmt::format(
-              "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
-              printable(file), study.weight == "1" ? "" : "weighted ", name(study.error),
-              printable(study.form), certificate.lower, certificate.upper, count_boxes(certificate)) +
-              statement_of(certificate)};
-}
-
-}  // namespace
-
-Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
-                        const Progress& progress) {
-  const StudyFile file = chosen_study(options.fit, checkpoint);
+Outcome certify_command(const CertifyOptions& options, const Watched& work) {
+  const StudyFile file = chosen_study(options.fit, work.checkpoint);
   if (file.study.rows != nullptr)
     throw UserError(
         fmt::format("certify proves the error over a range: '{}' has rows of measured values alone",
@@ -50,15 +26,15 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     throw UserError(fmt::format("--out '{}' takes one certificate, not {}: give one value of each --given",
                                 *options.out, studies.size()));
   const auto out =
-      options.out ? std::optional(OutputFile("--out", *options.out, "the certificate")) : std::nullopt;
+      options.out ? std::optional(output_file("--out", *options.out, "the certificate")) : std::nullopt;
   std::vector<ProvenStudy> proofs;
-  const Checkpoint next = stepping(checkpoint, progress, "certify", studies.size());
+  const Checkpoint next = stepping(work, "certify", studies.size());
   std::string err;
   for (const Study& study : studies) {
     next();
-    const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
+    const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, work.checkpoint);
     const double width = options.width.value_or(usual_study_width(study.over.size()));
-    proofs.push_back({certify_study(chosen.subject, width, checkpoint), chosen.from});
+    proofs.push_back({certify_study(chosen.subject, width, work.checkpoint), chosen.from});
     const std::string given = given_text(study);
     const auto& [certificate, is_reached] = proofs.back().certified;
     if (!is_reached)
@@ -68,7 +44,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   }
   const StudyCertificate& first = proofs.front().certified.certificate;
   std::function<void()> put;
-  if (out) put = out->prepare(certificate_text(first), options.force, checkpoint);
+  if (out) put = prepare_output_file(*out, certificate_text(first), options.fit.force, work.checkpoint);
   if (options.fit.json)
     return {err.empty() ? 0 : 1, json_text_of_each(json_array(proofs, study_proof_json)), err, put};
   std::string text = (file.id.empty() ? "" : file.id + ": ") + for_terminal(proof_headline(first)) + "\n" +
@@ -78,14 +54,21 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   return {err.empty() ? 0 : 1, text, err, put};
 }
 
-Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const auto done = bar(checkpoint, progress, "verify");
-  const std::string text = read_bounded(options.file, most_certificate_bytes);
-  const auto [refused, statement] = verified(text, options.file, done);
-  if (refused.empty()) return {0, statement, ""};
-  return {
-      1, "",
-      fmt::format("shadefit: certificate '{}' is refused: {}\n", printable(options.file), one_line(refused))};
+Outcome verify_command(const VerifyOptions& options, const Watched& work) {
+  const std::string file = printable(options.file);
+  const auto [certificate, refused] =
+      read_study_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
+  const std::string reason = refused.empty() ? reason_to_refuse(certificate, bar(work, "verify")) : refused;
+  if (!reason.empty())
+    return {1, "", fmt::format("shadefit: certificate '{}' is refused: {}\n", file, one_line(reason))};
+  const Study& study = certificate.subject.study;
+  return {0,
+          fmt::format(
+              "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
+              file, study.weight == "1" ? "" : "weighted ", name(study.error), printable(study.form),
+              certificate.lower, certificate.upper, count_boxes(certificate)) +
+              statement_of(certificate),
+          ""};
 }
 
 }  // namespace shadefit

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/options/scene_options.hpp"
 #include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/scene_code.hpp"
@@ -29,30 +28,25 @@ scene::Wanted wanted_by(const SceneOptions& options) {
   return wanted;
 }
 
-/// The command that prints the code.
-std::string code_command(const SceneOptions& options) {
-  std::vector<std::string> words = options.words;
-  words.insert(words.begin() + 1, options.files.begin(), options.files.end());
-  words.insert(words.end(), {"--lang", std::string(name(*options.language))});
-  return command_text(words);
-}
-
 }  // namespace
 
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint) {
+Outcome scene_command(const SceneOptions& options, const Watched& work) {
   scene::Wanted wanted = wanted_by(options);
-  std::optional<OutputFolder> folder;
-  if (options.out) folder.emplace(*options.out);
+  if (options.out) require_writable(*options.out);
   const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
   const scene::Scene scene = scene::read_scene(paths, options.conventions);
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
   if (options.conventions.has_features)
     return {0, options.json ? features_json(scene) : features_text(scene), ""};
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
-  const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
+  const scene::Plan plan = scene::make_plan(scene, wanted, work.checkpoint);
   const int exit_code = plan.is_within() ? 0 : 1;
-  if (options.language)
-    return {exit_code, scene_code(scene, plan, *options.language, code_command(options)), ""};
+  if (options.language) {
+    std::vector<std::string> words = options.words;
+    words.insert(words.begin() + 1, options.files.begin(), options.files.end());
+    words.insert(words.end(), {"--lang", std::string(name(*options.language))});
+    return {exit_code, scene_code(scene, plan, *options.language, command_text(words)), ""};
+  }
   if (options.json) return {exit_code, plan_json(scene, plan), ""};
   std::string out = plan_text(scene, plan, options.terminal);
   std::function<void()> put;
@@ -61,7 +55,7 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
                                   {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
                                   {"scene.json", plan_json(scene, plan)}};
     out += fmt::format("\nPlan: {}: {}\n", printable(*options.out), joined(files, ", ", &File::name));
-    put = folder->prepare(files, {}, options.force, checkpoint);
+    put = prepare_output(*options.out, files, {}, options.force, work.checkpoint);
   }
   return {exit_code, out, "", put};
 }

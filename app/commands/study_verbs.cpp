@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/study_commands.hpp"
 #include "app/options/option_values.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
@@ -83,25 +82,24 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
                                 result.wrong.size() == 1 ? "differs" : "differ"));
 }
 
-std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
-                                            const Progress& progress, Judged judged) {
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Watched& work, Judged judged) {
   const std::vector<Study> studies = combinations(file.study, file.given);
   std::size_t steps = 0;
   for (const Study& study : studies) steps += steps_to_compare(file, study);
   // `stepping` counts its calls: one copy counts those of all studies.
-  const Checkpoint next = stepping(checkpoint, progress, "compare", steps);
+  const Checkpoint next = stepping(work, "compare", steps);
   std::vector<StudyComparison> comparisons;
   for (const Study& study : studies)
-    comparisons.push_back(compare_study(file, study, checkpoint, next, judged));
+    comparisons.push_back(compare_study(file, study, work.checkpoint, next, judged));
   return comparisons;
 }
 
-Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const StudyFile file = compared_study(options, checkpoint);
+Outcome better_command(const FitOptions& options, const Watched& work) {
+  const StudyFile file = compared_study(options, work.checkpoint);
   if (options.plot) require_picture(*options.plot);
   // The report and `explain` judge the numbers of the catalogue.
   const Judged judged = is_known_id(options.id) ? Judged::no : Judged::yes;
-  const auto comparisons = comparisons_of(file, checkpoint, progress, judged);
+  const auto comparisons = comparisons_of(file, work, judged);
   if (options.plot && comparisons.size() > 1)
     throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: give one value by --given",
                                 *options.plot, comparisons.size()));
@@ -117,12 +115,11 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
     });
   }
   return with_picture(
-      {0, out, ""}, options, [&] { return better_study_figure(comparisons.front()); }, checkpoint);
+      {0, out, ""}, options, [&] { return better_study_figure(comparisons.front()); }, work.checkpoint);
 }
 
-Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
-                              const Checkpoint& checkpoint, const Progress& progress) {
-  const auto comparisons = comparisons_of(file, checkpoint, progress);
+Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options, const Watched& work) {
+  const auto comparisons = comparisons_of(file, work);
   if (!options.json) return {0, study_explanation(file, comparisons, options.terminal), ""};
   return {0,
           json_text({{"schema", 1},
@@ -135,8 +132,8 @@ Outcome explain_study_command(const StudyFile& file, const ExplainOptions& optio
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint) {
   if (!options.only.empty())
     throw UserError(fmt::format("--only '{}' does not go with a study", options.only.front()));
-  const OutputFolder folder(options.out);
-  const auto comparisons = comparisons_of(file, checkpoint);
+  require_writable(options.out);
+  const auto comparisons = comparisons_of(file, {checkpoint, unwatched});
   std::vector<Figure> figures;
   if (!options.no_plots && comparisons.size() == 1 && file.study.over.size() == 1)
     figures.push_back(better_study_figure(comparisons.front()));
@@ -148,11 +145,12 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
   out += said + fmt::format("\nReport: {}\n",
                             printable((std::filesystem::path(options.out) / "report.md").string()));
   const std::string err = failed + failed_lines(comparisons);
-  return {err.empty() ? 0 : 1, out, err, folder.prepare(files, missing, options.force, checkpoint)};
+  return {err.empty() ? 0 : 1, out, err,
+          prepare_output(options.out, files, missing, options.force, checkpoint)};
 }
 
-Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const OutputFolder folder(options.out);
+Outcome gallery_command(const RunOptions& options, const Watched& work) {
+  require_writable(options.out);
   const auto folders = study_folders(options.studies);
   std::vector<StudyFile> files;
   if (options.study) {
@@ -163,7 +161,7 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
   std::vector<JudgedStudy> judged(files.size());
   const auto judge = [&](std::size_t place, const Checkpoint& go_on) {
     GalleryEntry entry{files[place], {}};
-    entry.comparisons = comparisons_of(entry.file, go_on);
+    entry.comparisons = comparisons_of(entry.file, {go_on, unwatched});
     for (StudyComparison& comparison : entry.comparisons) {
       prove_contenders(comparison, go_on);
       round_contenders(comparison, go_on);
@@ -172,10 +170,10 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
   };
   for_each_in_parallel(
       files.size(), judge,
-      {.before_each = stepping(checkpoint, progress, "studies", files.size()), .checkpoint = checkpoint});
-  progress("");
+      {.before_each = stepping(work, "studies", files.size()), .checkpoint = work.checkpoint});
+  work.progress("");
   const std::vector<File> written = gallery_files(judged);
-  const auto put = folder.prepare(written, {}, options.force, checkpoint);
+  const auto put = prepare_output(options.out, written, {}, options.force, work.checkpoint);
   const auto first = std::filesystem::path(options.out) / written.front().name;
   return {0, fmt::format("Pages: {}\n", printable(first.string())), "", put};
 }
@@ -184,11 +182,9 @@ Outcome check_study_command(const StudyFile& file, const CheckOptions& options,
                             const Checkpoint& checkpoint) {
   const Baseline baseline = read_tables(options.baseline, {"better.csv"});
   const std::string recomputed = recomputed_text(file, checkpoint);
-  std::vector<File> files = study_files_of(file, comparisons_of(file, checkpoint), {});
+  std::vector<File> files = study_files_of(file, comparisons_of(file, {checkpoint, unwatched}), {});
   std::erase_if(files, [](const File& made) { return made.name != "better.csv"; });
-  Outcome outcome = check_outcome(compare_files(baseline, files), options);
-  if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
-  return outcome;
+  return check_outcome(compare_files(baseline, files), options, recomputed);
 }
 
 }  // namespace shadefit

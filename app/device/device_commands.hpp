@@ -3,9 +3,10 @@
 #include <functional>
 #include <string>
 
-#include "app/options/bench_options.hpp"
-#include "bench/forms/swept_form.hpp"
-#include "bench/tradeoff/timed_forms.hpp"
+#include "app/options/options.hpp"
+#include "app/output/progress.hpp"
+#include "bench/forms/float_errors.hpp"
+#include "bench/tradeoff/trade.hpp"
 
 /// What `bench` does on graphics devices. A build without SHADEFIT_DEVICE has only app/device/no_device.cpp,
 /// in which each function throws a UserError that names the option and the packages.
@@ -15,8 +16,8 @@ namespace shadefit {
 Outcome list_devices_command(const BenchOptions& options);
 
 /// `bench --device`: times and errors of forms; these are made once the device is open.
-bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::FormsToTime()>& forms,
-                             const Checkpoint& checkpoint, const Progress& progress);
+bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::Trade()>& forms,
+                             const Watched& work);
 
 /// What evaluates forms: this processor or a graphics device.
 struct Sweeper {

@@ -19,8 +19,7 @@ Outcome list_devices_command(const BenchOptions&) {
   refuse("--list-devices");
 }
 
-bench::Trade trade_on_device(const BenchOptions&, const std::function<bench::FormsToTime()>&,
-                             const Checkpoint&, const Progress&) {
+bench::Trade trade_on_device(const BenchOptions&, const std::function<bench::Trade()>&, const Watched&) {
   refuse("--device");
 }
 

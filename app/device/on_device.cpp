@@ -5,6 +5,7 @@
 #include "app/device/device_commands.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/measure_device.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/table.hpp"
 #include "reports/io/writers.hpp"
@@ -21,12 +22,12 @@ Outcome list_devices_command(const BenchOptions& options) {
   return {0, write_console(table, Precision::report, options.terminal), ""};
 }
 
-bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::FormsToTime()>& forms,
-                             const Checkpoint& checkpoint, const Progress& progress) {
+bench::Trade trade_on_device(const BenchOptions& options, const std::function<bench::Trade()>& forms,
+                             const Watched& work) {
   const auto plan = options.quick ? device::quick_device_plan : device::full_device_plan;
   device::VulkanDevice for_times({.place = *options.device, .has_buffers_on_device = true});
   device::VulkanDevice for_values({.place = *options.device});
-  return device::measure_on_device(for_times, for_values, forms(), plan, bar(checkpoint, progress, "bench"));
+  return device::measure_on_device(for_times, for_values, forms(), plan, bar(work, "bench"));
 }
 
 Sweeper sweeper_on_device(const BenchOptions& options) {

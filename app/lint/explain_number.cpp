@@ -1,10 +1,10 @@
-#include "app/lint/explain_number.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 

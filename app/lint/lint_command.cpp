@@ -124,13 +124,6 @@ std::function<void()> prepare_files(const std::vector<FixedFile>& files) {
   };
 }
 
-std::string words_of(const std::vector<FixedFile>& files) {
-  long numbers = 0;
-  for (const FixedFile& file : files) numbers += file.numbers;
-  return fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
-                     counted(std::ssize(files), "file"));
-}
-
 lint::LintedTree lint_standard_input(const LintOptions& options, const lint::KnownConstants& known,
                                      const lint::EffectLimits& limits, const Checkpoint& checkpoint) {
   if (options.paths.size() > 1)
@@ -197,11 +190,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   Choices<std::string> grades;
   for (const std::string& word : fail_on_words()) grades.emplace_back(word, word);
   add_choice(lint, "--fail-on", options.fail_on, grades, "the mildest grade that fails (default: wrong)");
-  const auto effect = [](const std::string& option, const std::string& text) {
-    const double value = parse_finite(option, text);
-    if (value < 0) throw UserError(fmt::format("{} '{}' must be at least 0", option, text));
-    return value;
-  };
+  const auto effect = parse_finite_with([](double value) { return value >= 0; }, "must be at least 0");
   add_value(
       lint, "--max-effect", options.max_effect, effect, "X",
       "a number that moves its curve by more is wrong (default: 0.001; for a colour half an 8-bit sRGB code)");
@@ -227,7 +216,7 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
   lint.add_flag("--all", options.all, "also print the constants that are right");
 }
 
-Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, const Progress& progress) {
+Outcome lint_command(const LintOptions& given, const Watched& work) {
   lint::TreeOptions tree;
   const LintOptions options = with_config(given, tree);
   if (options.diff && options.format != findings::FindingFormat::text)
@@ -243,17 +232,17 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   std::vector<std::string> refused;
   const lint::KnownConstants known = known_constants(options.studies, &refused);
   if (std::ranges::find(options.paths, "-") != options.paths.end())
-    return report_of(lint_standard_input(options, known, limits, checkpoint), shown, given);
-  progress("reading the source tree");
+    return report_of(lint_standard_input(options, known, limits, work.checkpoint), shown, given);
+  work.progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
+  const Checkpoint next = stepping(work, "lint", lint::count_pieces(sources));
   lint::LintedTree linted =
-      lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
-  progress("");
+      lint_tree(sources, known, limits, {.before_each = next, .checkpoint = work.checkpoint});
+  work.progress("");
   linted.skipped.messages.insert(linted.skipped.messages.begin(), refused.begin(), refused.end());
   if (!options.fix && !options.diff) return report_of(linted, shown, given);
   const auto judge = [&](const lint::SourceFile& file, const std::string& text) {
-    return lint_source(file.name, text, file.language, known, limits, checkpoint);
+    return lint_source(file.name, text, file.language, known, limits, work.checkpoint);
   };
   const std::vector<FixedFile> files =
       fixed_files(linted, sources, options.fix.value_or(lint::FixScope::pins), judge);
@@ -267,7 +256,10 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   for (const fs::path& folder : folders) remove_leftovers(folder.empty() ? "." : folder);
   Outcome outcome = report_of(linted, shown, given);
   if (files.empty()) return outcome;
-  outcome.err += words_of(files);
+  long numbers = 0;
+  for (const FixedFile& file : files) numbers += file.numbers;
+  outcome.err += fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
+                             counted(std::ssize(files), "file"));
   outcome.put = prepare_files(files);
   return outcome;
 }

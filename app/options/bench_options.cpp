@@ -1,8 +1,8 @@
-#include "app/options/bench_options.hpp"
-
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "app/options/declare_options.hpp"
@@ -12,26 +12,37 @@
 namespace shadefit {
 namespace {
 
-/// "A:B" with bit patterns of floats in [0, 1], decimal or 0x..
+/// A whole number without a sign, in decimal or 0x..
+std::optional<std::uint32_t> parse_bits(std::string_view text) {
+  const bool is_hex = text.starts_with("0x");
+  if (is_hex) text.remove_prefix(2);
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, is_hex ? 16 : 10);
+  const bool is_whole = error == std::errc{} && end == text.data() + text.size();
+  return is_whole ? std::optional(value) : std::nullopt;
+}
+
+/// "A:B" with bit patterns of floats in [0, 1].
 bench::Stretch parse_range(const std::string& option, const std::string& text) {
-  const auto bits = [](std::string_view part) -> std::optional<std::uint32_t> {
-    const bool is_hex = part.starts_with("0x");
-    if (is_hex) part.remove_prefix(2);
-    std::uint32_t value = 0;
-    const auto [end, error] =
-        std::from_chars(part.data(), part.data() + part.size(), value, is_hex ? 16 : 10);
-    if (error != std::errc{} || end != part.data() + part.size()) return std::nullopt;
-    return value;
-  };
   const auto colon = text.find(':');
   if (colon != std::string::npos) {
-    const auto from = bits(std::string_view(text).substr(0, colon));
-    const auto to = bits(std::string_view(text).substr(colon + 1));
+    const auto from = parse_bits(text.substr(0, colon)), to = parse_bits(text.substr(colon + 1));
     if (from && to && *from < *to && *to <= bench::unit_floats.to) return {*from, *to};
   }
   throw UserError(
       fmt::format("{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= {:#x}", option,
                   text, bench::unit_floats.to));
+}
+
+/// "vulkan" or "vulkan:N": the place of a graphics device.
+std::size_t parse_device(const std::string& option, const std::string& text) {
+  if (text == "vulkan") return 0;
+  const std::string kind = "vulkan:";
+  const auto place = text.starts_with(kind) ? parse_bits(text.substr(kind.size())) : std::nullopt;
+  if (place) return *place;
+  throw UserError(fmt::format(
+      "{} '{}' is not a device: it must be vulkan or vulkan:N, see 'shadefit bench --list-devices'", option,
+      text));
 }
 
 }  // namespace

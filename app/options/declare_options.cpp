@@ -40,16 +40,6 @@ void add_domain(CLI::App& command, FitOptions& fit) {
             "(default of a built-in family: 0:1)");
 }
 
-/// Adds the options for the surface of a Fresnel form.
-void add_surface(CLI::App& command, FitOptions& fit) {
-  add_value(command, "--ior", fit.ior, parse_finite, "N",
-            fmt::format(
-                "index of refraction n of the surface, which also sets f0 (default with --target exact: {})",
-                glass.ior));
-  add_value(command, "--extinction", fit.extinction, parse_finite, "K",
-            "extinction k of a conductor with index n + i k (default: 0)");
-}
-
 /// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
 void add_metric(CLI::App& command, FitOptions& fit) {
   add_choice(command, "--measure", fit.metric.measure, by_name(measures),
@@ -58,17 +48,14 @@ void add_metric(CLI::App& command, FitOptions& fit) {
       command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
       "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
       "of a Fresnel form");
+  // At 1 nothing would be left to fit.
+  const auto parse_f0 = parse_finite_with([](double f0) { return 0 <= f0 && f0 < 1; },
+                                          "is not a reflectance at normal incidence: it must be in [0, 1)");
   add_value(
       command, "--f0", fit.f0, parse_f0, "F0",
       fmt::format("reflectance at normal incidence, for the relative error of a Fresnel form (default: {})",
                   reference_f0));
   add_domain(command, fit);
-}
-
-void add_norm(CLI::App& command, FitOptions& fit) {
-  add_choice(
-      command, "--norm", fit.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
-      "what the fit minimises: the mean square of the error, or its maximum; a study has a norm of its own");
 }
 
 /// Adds the options for the constraints of a fit.
@@ -111,16 +98,6 @@ CLI::Option* add_round(CLI::App& command, FitOptions& options) {
       command, "--round", options.round, round, "float|half|bfloat16|decimal:N",
       "the best constants in this number format; half and bfloat16: for a form of one variable that is evaluated "
       "in it");
-}
-
-CLI::Option* add_evaluate(CLI::App& command, FitOptions& options) {
-  const auto format = [](const std::string&, const std::string& text) {
-    return parse_evaluated_format(text);
-  };
-  return add_value(
-      command, "--evaluate", options.evaluate, format, "half|float",
-      "constants for a form that is evaluated in this format, in the order that emit prints; the best that "
-      "steps from the fit find");
 }
 
 /// Adds the options of a study. Named studies take them too, instead of what the file says.
@@ -174,7 +151,7 @@ void add_study(CLI::App& command, FitOptions& options) {
              "one more start of the search: a value of a parameter of --form");
 }
 
-/// --target, that also takes a formula, and the options of a study.
+/// --target, that also takes a formula, and the options for the surface of a Fresnel form.
 void add_target_or_formula(CLI::App& command, FitOptions& options) {
   const auto parse_target = [&options](const std::string&, const std::string& text) {
     if (text == "schlick") options.target = Surface::Formula::schlick;
@@ -184,7 +161,12 @@ void add_target_or_formula(CLI::App& command, FitOptions& options) {
   add_value(command, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
             "the function to approximate. A Fresnel form: schlick is (1-c)^5, exact is the reflectance of a "
             "surface (default: schlick). With --form: your formula");
-  add_surface(command, options);
+  add_value(command, "--ior", options.ior, parse_finite, "N",
+            fmt::format(
+                "index of refraction n of the surface, which also sets f0 (default with --target exact: {})",
+                glass.ior));
+  add_value(command, "--extinction", options.extinction, parse_finite, "K",
+            "extinction k of a conductor with index n + i k (default: 0)");
 }
 
 /// What `fit`, `certify` and `emit` fit, and how. Generated files list the options in this order.
@@ -193,12 +175,14 @@ void add_fit(CLI::App& command, FitOptions& options) {
   add_exponent(command, options, "of a published number its own, of a family the usual range");
   add_metric(command, options);
   add_target_or_formula(command, options);
-  add_norm(command, options);
+  add_choice(
+      command, "--norm", options.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
+      "what the fit minimises: the mean square of the error, or its maximum; a study has a norm of its own");
   add_study(command, options);
   add_constraints(command, options.metric);
 }
 
-void add_parameters(CLI::App& command, std::optional<Parameters>& parameters) {
+void add_parameters(CLI::App& command, std::optional<Constants>& parameters) {
   add_value(command, "--parameters", parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
 }
@@ -255,9 +239,16 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   auto* csv = add_csv(fit, options.csv, "");
   auto* latex =
       fit.add_flag("--latex", options.latex, "print a LaTeX tabular")->excludes("--json")->excludes(csv);
+  const auto evaluated_format = [](const std::string&, const std::string& text) {
+    return parse_evaluated_format(text);
+  };
   const std::array extras{
       fit.add_flag("--certify", options.certify, "also prove bounds of the largest error"),
-      add_round(fit, options), add_evaluate(fit, options),
+      add_round(fit, options),
+      add_value(
+          fit, "--evaluate", options.evaluate, evaluated_format, "half|float",
+          "constants for a form that is evaluated in this format, in the order that emit prints; the best that "
+          "steps from the fit find"),
       fit.add_flag(
           "--sensitivity", options.sensitivity,
           "also how many digits of each constant matter, and the fit under other measures and domains")};
@@ -289,7 +280,7 @@ void declare_certify(CLI::App& certify, CertifyOptions& options) {
                 to_text(usual_study_width(1)), to_text(usual_study_width(2)), to_text(usual_study_width(3))));
   add_value(certify, "--out", options.out, parse_text, "FILE",
             "write the certificate, for 'shadefit verify'");
-  add_force(certify, options.force);
+  add_force(certify, options.fit.force);
   add_json(certify, options.fit.json);
 }
 
@@ -311,7 +302,7 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
-  add_force(emit, options.force);
+  add_force(emit, options.fit.force);
   add_values(emit, "--check", options.check, parse_text, "FILE",
              "exit 1 unless shadefit would generate these files again as they are")
       ->allow_extra_args();

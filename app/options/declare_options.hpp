@@ -25,6 +25,8 @@ void declare_verify(CLI::App& verify, VerifyOptions& options);
 void declare_emit(CLI::App& emit, EmitOptions& options);
 void declare_explain(CLI::App& explain, ExplainOptions& options);
 void declare_cite(CLI::App& cite, CiteOptions& options);
+void declare_bench(CLI::App& bench, BenchOptions& options);
+void declare_scene(CLI::App& scene, SceneOptions& options);
 void declare_stress(CLI::App& stress, StressOptions& options);
 void declare_check(CLI::App& check, CheckOptions& options);
 

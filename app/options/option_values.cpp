@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -58,34 +57,12 @@ double parse_finite(const std::string& option, const std::string& text) {
   return *value;
 }
 
-double parse_seconds(const std::string& option, const std::string& text) {
-  const double seconds = parse_finite(option, text);
-  if (!(seconds > 0)) throw UserError(fmt::format("{} '{}' must be greater than 0", option, text));
-  return seconds;
-}
-
-double parse_share(const std::string& option, const std::string& text, double most) {
-  const std::size_t slash = text.find('/');
-  double value = parse_finite(option, text.substr(0, slash));
-  if (slash != std::string::npos) value /= parse_finite(option, text.substr(slash + 1));
-  if (!(value > 0 && value <= most))
-    throw UserError(fmt::format("{} '{}' must be greater than 0 and at most {}", option, text, most));
-  return value;
-}
-
 double parse_percentage(const std::string& option, const std::string& text) {
   const bool has_sign = text.ends_with('%');
   const double percent = has_sign ? parse_finite(option, text.substr(0, text.size() - 1)) : 0;
   if (!(percent > 0))
     throw UserError(fmt::format("{} '{}' must be a percentage above 0, such as 10%", option, text));
   return percent / 100;
-}
-
-int parse_whole(const std::string& option, const std::string& text, int least, int most) {
-  const double value = parse_finite(option, text);
-  if (!(value >= least && value <= most && value == static_cast<int>(value)))
-    throw UserError(fmt::format("{} '{}' must be a whole number from {} to {}", option, text, least, most));
-  return static_cast<int>(value);
 }
 
 std::vector<double> parse_exponents(const std::string& option, const std::string& text) {
@@ -114,14 +91,6 @@ Domain parse_domain(const std::string& option, const std::string& text) {
   return {*lower, *upper};
 }
 
-double parse_f0(const std::string& option, const std::string& text) {
-  const double f0 = parse_finite(option, text);
-  if (!(0 <= f0 && f0 < 1))
-    throw UserError(
-        fmt::format("{} '{}' is not a reflectance at normal incidence: it must be in [0, 1)", option, text));
-  return f0;
-}
-
 Held parse_held(const std::string& option, const std::string& text) {
   const auto parts = split(text);
   auto value = parts ? parse_number(parts->second) : std::nullopt;
@@ -130,8 +99,8 @@ Held parse_held(const std::string& option, const std::string& text) {
   return {parts->first, *value};
 }
 
-Parameters parse_parameters(const std::string& option, const std::string& text) {
-  Parameters parameters;
+Constants parse_parameters(const std::string& option, const std::string& text) {
+  Constants parameters;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const auto part = split(text.substr(start, end - start));
@@ -152,20 +121,6 @@ double parse_relative_width(const std::string& option, const std::string& text) 
     throw UserError(fmt::format("{} '{}' cannot be reached: the bounds are doubles, {} is the least", option,
                                 text, least_width));
   return width;
-}
-
-std::size_t parse_device(const std::string& option, const std::string& text) {
-  const std::string_view kind = "vulkan", given = text;
-  if (given == kind) return 0;
-  std::size_t place = 0;
-  if (given.starts_with(kind) && given.substr(kind.size()).starts_with(':')) {
-    const std::string_view digits = given.substr(kind.size() + 1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), place);
-    if (error == std::errc{} && end == digits.data() + digits.size()) return place;
-  }
-  throw UserError(fmt::format(
-      "{} '{}' is not a device: it must be vulkan or vulkan:N, see 'shadefit bench --list-devices'", option,
-      text));
 }
 
 std::vector<std::string> words_of(const CLI::App& command, const std::vector<std::string>& without) {

@@ -89,16 +89,19 @@ std::string parse_text(const std::string& option, const std::string& text);
 
 /// A finite number.
 double parse_finite(const std::string& option, const std::string& text);
-double parse_seconds(const std::string& option, const std::string& text);
 
-/// A finite number, or a quotient of two ("1/255"), above 0 and at most `most`.
-double parse_share(const std::string& option, const std::string& text, double most);
+/// A parser of finite numbers that `is_good` takes; for others `rule` follows the option and the text.
+template <class IsGood>
+auto parse_finite_with(const IsGood& is_good, const std::string& rule) {
+  return [=](const std::string& option, const std::string& text) {
+    const double value = parse_finite(option, text);
+    if (!is_good(value)) throw UserError(fmt::format("{} '{}' {}", option, text, rule));
+    return value;
+  };
+}
 
 /// "10%" as 0.1: a percentage above 0.
 double parse_percentage(const std::string& option, const std::string& text);
-
-/// A whole number from `least` to `most`.
-int parse_whole(const std::string& option, const std::string& text, int least, int most);
 
 /// "5", or a sweep "3:15:1,25".
 std::vector<double> parse_exponents(const std::string& option, const std::string& text);
@@ -107,20 +110,14 @@ std::vector<double> parse_exponents(const std::string& option, const std::string
 /// angles, "0deg:30deg", whose cosines count.
 Domain parse_domain(const std::string& option, const std::string& text);
 
-/// A reflectance at normal incidence, at least 0 and below 1: at 1 nothing would be left to fit.
-double parse_f0(const std::string& option, const std::string& text);
-
 /// "NAME=VALUE" with a finite number, decimal or hexadecimal as shadefit prints it.
 Held parse_held(const std::string& option, const std::string& text);
 
 /// "a=-5.55473,b=-6.98316"; the values stay texts, as a proof needs every digit.
-Parameters parse_parameters(const std::string& option, const std::string& text);
+Constants parse_parameters(const std::string& option, const std::string& text);
 
 /// A relative width of bounds that double precision can reach.
 double parse_relative_width(const std::string& option, const std::string& text);
-
-/// "vulkan" or "vulkan:N": the place of a graphics device.
-std::size_t parse_device(const std::string& option, const std::string& text);
 
 /// The words of a parsed command: its options with their values as given. Leaves out the options `without`
 /// and options with default values.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -7,7 +8,9 @@
 #include <vector>
 
 #include "app/options/outcome.hpp"
+#include "bench/forms/float_errors.hpp"
 #include "fit/catalogue/surface.hpp"
+#include "fit/proof/constants.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/study/study.hpp"
@@ -15,6 +18,7 @@
 #include "reports/code/shader_code.hpp"
 #include "reports/findings/finding.hpp"
 #include "reports/io/writers.hpp"
+#include "scene/plan/plan.hpp"
 
 /// The options of the commands, parsed (app/commands/declare_commands.cpp).
 namespace shadefit {
@@ -83,25 +87,20 @@ struct FitOptions {
   Terminal terminal = {};
 };
 
-/// Names and values, as written.
-using Parameters = std::vector<std::pair<std::string, std::string>>;
-
 struct CertifyOptions {
   FitOptions fit = {};
-  std::optional<Parameters> parameters = {};  ///< empty: the published ones, else fitted
-  std::optional<double> width = {};           ///< of the bounds, relative; empty: the usual one
-  std::optional<std::string> out = {};        ///< a file for the certificate
-  bool force = false;                         ///< as in `RunOptions`
+  std::optional<Constants> parameters = {};  ///< as written; empty: the published ones, else fitted
+  std::optional<double> width = {};          ///< of the bounds, relative; empty: the usual one
+  std::optional<std::string> out = {};       ///< a file for the certificate
 };
 
 struct EmitOptions {
   FitOptions fit = {};
-  std::optional<Parameters> parameters = {};  ///< as in `CertifyOptions`
-  std::optional<Language> language = {};      ///< empty with `check`
+  std::optional<Constants> parameters = {};  ///< as in `CertifyOptions`
+  std::optional<Language> language = {};     ///< empty with `check`
   ShaderPrecision precision = ShaderPrecision::float32;
   std::optional<std::string> name = {};  ///< of the function; empty: the family's
   std::optional<std::string> out = {};   ///< a file; empty: printed
-  bool force = false;                    ///< as in `RunOptions`
   bool better = false;                   ///< the set that is better than the published one
   std::vector<std::string> check = {};   ///< generated files
 };
@@ -113,6 +112,38 @@ struct VerifyOptions {
 struct StressOptions {
   std::string out = "out";
   bool force = false;  ///< as in `RunOptions`
+  Terminal terminal = {};
+};
+
+struct BenchOptions {
+  std::optional<std::string> study = {};  ///< the id or the file of a study, instead of the catalogue
+  StudyFolders studies = {};              ///< that have it too
+  std::string out = "out";
+  std::vector<std::string> only = {};  ///< ids of targets
+  bool force = false;                  ///< as in `RunOptions`
+  bool quick = false;
+  bool no_plots = false;
+  std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
+  std::optional<std::string> constants = {};   ///< of that form; the range is for it too
+  bench::Stretch range = bench::unit_floats;
+  /// The place of a Vulkan device among `device::vulkan_devices`, instead of the CPU.
+  std::optional<std::size_t> device = {};
+  bool list_devices = false;
+  Terminal terminal = {};
+};
+
+struct SceneOptions {
+  std::vector<std::string> files = {};
+  std::optional<double> tolerance = {};  ///< in linear values; empty: 1/255
+  std::optional<double> codes = {};      ///< the tolerance in sRGB codes instead
+  std::optional<int> lights = {};        ///< empty: as many as the files name, else 1
+  scene::PixelPrecision precision = scene::PixelPrecision::float32;
+  scene::Conventions conventions = {};    ///< how the files are read
+  std::optional<Language> language = {};  ///< prints only the code in it
+  std::optional<std::string> out = {};    ///< a directory; empty: print only
+  bool json = false;
+  bool force = false;                   ///< as in `RunOptions`
+  std::vector<std::string> words = {};  ///< of the command that prints the code, without files and --lang
   Terminal terminal = {};
 };
 

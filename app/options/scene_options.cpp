@@ -1,15 +1,22 @@
-#include "app/options/scene_options.hpp"
+#include <fmt/format.h>
 
 #include "app/options/declare_options.hpp"
 #include "app/options/option_values.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
-/// A parser of shares up to `most`.
+/// A parser of a finite number, or a quotient of two ("1/255"), above 0 and at most `most`.
 auto share_of(double most) {
-  return
-      [most](const std::string& option, const std::string& text) { return parse_share(option, text, most); };
+  return [most](const std::string& option, const std::string& text) {
+    const std::size_t slash = text.find('/');
+    double value = parse_finite(option, text.substr(0, slash));
+    if (slash != std::string::npos) value /= parse_finite(option, text.substr(slash + 1));
+    if (!(value > 0 && value <= most))
+      throw UserError(fmt::format("{} '{}' must be greater than 0 and at most {}", option, text, most));
+    return value;
+  };
 }
 
 /// Adds the options for reading the files.
@@ -38,7 +45,10 @@ void add_wishes(CLI::App& scene, SceneOptions& options) {
       ->excludes(tolerance);
   const auto parse_lights = [](const std::string& option, const std::string& text) {
     constexpr int most = 1'000'000;
-    return parse_whole(option, text, 1, most);
+    const double value = parse_finite(option, text);
+    if (!(value >= 1 && value <= most && value == static_cast<int>(value)))
+      throw UserError(fmt::format("{} '{}' must be a whole number from 1 to {}", option, text, most));
+    return static_cast<int>(value);
   };
   add_value(scene, "--lights", options.lights, parse_lights, "N",
             "how many lights may shine on one point (default: those of the files, else 1)");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/output/output_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/io/gnuplot.hpp"
@@ -48,16 +47,6 @@ void require_picture(const std::string& file) {
         fmt::format("--plot '{}' names no folder that is there: make '{}' first", file, folder.string()));
   if (!find_gnuplot())
     throw UserError(fmt::format("--plot '{}' needs gnuplot: install the package gnuplot-nox", file));
-}
-
-std::function<void()> draw_picture(const Figure& figure, const std::string& file, bool force,
-                                   const Checkpoint& checkpoint) {
-  require_picture(file);
-  const OutputFile output("--plot", file, "the picture");
-  const Pictures pictures = draw_pictures(*find_gnuplot(), plot_files({figure}), {figure.name}, checkpoint);
-  if (!pictures.failed.empty())
-    throw UserError(fmt::format("--plot '{}' was not drawn: {}", file, pictures.failed.front().complaint));
-  return output.prepare(pictures.files.front().content, force, checkpoint);
 }
 
 }  // namespace shadefit

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,10 +23,5 @@ DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out, 
 /// Throws UserError unless the name of a picture ends with .svg and its folder is there, or
 /// where gnuplot is missing.
 void require_picture(const std::string& file);
-
-/// Draws the figure. The returned call writes it to `file`. Throws UserError where gnuplot fails or the file
-/// cannot be written.
-std::function<void()> draw_picture(const Figure& figure, const std::string& file, bool force,
-                                   const Checkpoint& checkpoint);
 
 }  // namespace shadefit

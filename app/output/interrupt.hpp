@@ -18,21 +18,16 @@ struct TimeIsOver {
   double seconds;  ///< that were given
 };
 
-/// The held signals.
-struct HeldSignals {
-  sigset_t held;
-};
-
 /// Blocks SIGINT, SIGTERM and SIGHUP in this thread and in the threads that it starts. An ignored signal
 /// stays ignored (a background job of a script ignores SIGINT, a job under nohup ignores SIGHUP). From then
 /// on the signals are pending until a checkpoint takes them. The command holds them to its end.
-HeldSignals hold_interrupts();
+sigset_t hold_interrupts();
 
-/// Takes the pending signals, as when the user presses Ctrl-C again while the first is handled.
-void take_waiting(const HeldSignals& signals);
+/// Takes a pending signal; returns a number <= 0 if none is pending.
+int take_signal(const sigset_t& held);
 
 /// A checkpoint that takes a pending signal and throws Interrupted.
-Checkpoint interruptible(const HeldSignals& signals);
+Checkpoint interruptible(const sigset_t& held);
 
 /// A checkpoint that throws TimeIsOver once so many seconds have passed from now on. It calls `checkpoint`, a
 /// copy of which it holds, first.

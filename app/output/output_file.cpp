@@ -23,9 +23,25 @@ fs::path target_of(fs::path path) {
   return path;
 }
 
+/// "." for a name alone.
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 }  // namespace
 
-OutputFile::OutputFile(const std::string& option, const std::string& text, const std::string& what) {
+std::function<void()> prepare_output(const fs::path& directory, const std::vector<File>& files,
+                                     const std::vector<File>& obsolete, bool force,
+                                     const Checkpoint& checkpoint) {
+  if (!force) require_own(directory, files);
+  checkpoint();
+  return [=] {
+    write_files(directory, files);
+    remove_own(directory, obsolete);
+  };
+}
+
+fs::path output_file(const std::string& option, const std::string& text, const std::string& what) {
   const fs::path path(text);
   const std::string name = path.filename().string();
   std::error_code error;
@@ -35,14 +51,13 @@ OutputFile::OutputFile(const std::string& option, const std::string& text, const
   if (error && status.type() != fs::file_type::not_found) fail(text, error.message());
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(text, "it is a device or a pipe, not a file");
   const fs::path target = target_of(path);
-  name_ = target.filename().string();
-  folder_ = target.has_parent_path() ? target.parent_path() : ".";
-  require_writable(folder_);
+  require_writable(folder_of(target));
+  return target;
 }
 
-std::function<void()> OutputFile::prepare(const std::string& content, bool force,
-                                          const Checkpoint& checkpoint) const {
-  return OutputFolder(folder_.string()).prepare({{name_, content}}, {}, force, checkpoint);
+std::function<void()> prepare_output_file(const fs::path& file, const std::string& content, bool force,
+                                          const Checkpoint& checkpoint) {
+  return prepare_output(folder_of(file), {{file.filename().string(), content}}, {}, force, checkpoint);
 }
 
 }  // namespace shadefit

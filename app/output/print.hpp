@@ -17,6 +17,6 @@ struct Printed {
 
 /// Writes a text to a descriptor. A held signal that is pending or arrives before the end is taken and ends
 /// the printing.
-Printed print(int descriptor, std::string_view text, const HeldSignals& signals);
+Printed print(int descriptor, std::string_view text, const sigset_t& held);
 
 }  // namespace shadefit

@@ -47,27 +47,16 @@ Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std:
           }};
 }
 
-std::function<void(double share)> bar(const Progress& progress, const std::string& what) {
-  return [&progress, what, start = Clock::now()](double share) {
-    progress(progress_line(what, share, seconds_since(start)));
+std::function<void(double share)> bar(const Watched& work, const std::string& what) {
+  return [&work, what, start = Clock::now()](double share) {
+    work.checkpoint();
+    work.progress(progress_line(what, share, seconds_since(start)));
   };
 }
 
-std::function<void(double share)> bar(const Checkpoint& checkpoint, const Progress& progress,
-                                      const std::string& what) {
-  return [&checkpoint, show = bar(progress, what)](double share) {
-    checkpoint();
-    show(share);
-  };
-}
-
-Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
-                    std::size_t steps) {
-  if (steps < 2) return checkpoint;
-  return [&checkpoint, show = bar(progress, what), steps, done = 0.0]() mutable {
-    checkpoint();
-    show(done++ / static_cast<double>(steps));
-  };
+Checkpoint stepping(const Watched& work, const std::string& what, std::size_t steps) {
+  if (steps < 2) return work.checkpoint;
+  return [show = bar(work, what), steps, done = 0.0]() mutable { show(done++ / static_cast<double>(steps)); };
 }
 
 std::string progress_line(const std::string& what, double share, double seconds) {

@@ -30,18 +30,13 @@ struct Watched {
 /// So a command with frequent checkpoints is never silent for long. Both arguments must outlive the result.
 Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std::string& what);
 
-/// Shows the finished fraction of the work, from 0 to 1, and the remaining time. `progress` must outlive the
-/// result.
-std::function<void(double share)> bar(const Progress& progress, const std::string& what);
-
-/// The same, and calls the checkpoint first, which must outlive the result too.
-std::function<void(double share)> bar(const Checkpoint& checkpoint, const Progress& progress,
-                                      const std::string& what);
+/// Calls the checkpoint, and shows the finished fraction of the work, from 0 to 1, and the remaining time.
+/// `work` must outlive the result.
+std::function<void(double share)> bar(const Watched& work, const std::string& what);
 
 /// A checkpoint to be called before each of `steps` steps. It shows the finished fraction, or nothing for a
-/// single step. Both arguments must outlive the result.
-Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
-                    std::size_t steps);
+/// single step. `work` must outlive the result.
+Checkpoint stepping(const Watched& work, const std::string& what, std::size_t steps);
 
 /// "what 43 %, 12 s left": a fraction from 0 to 1, and the seconds that it took. The remaining
 /// time is estimated only after enough progress.

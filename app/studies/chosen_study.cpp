@@ -160,14 +160,6 @@ void change_bounds(StudyFile& file, const StudyOptions& own) {
   }
 }
 
-void require_bounds(const StudyOptions& own, const std::vector<std::string>& parameters) {
-  for (const ParameterBounds& bounds : own.bounds) {
-    if (std::ranges::find(parameters, bounds.parameter) == parameters.end())
-      throw UserError(fmt::format("--bounds '{}': the form has no parameter '{}', it must be one of {}",
-                                  to_text(bounds), bounds.parameter, fmt::join(parameters, ", ")));
-  }
-}
-
 /// A part of the file may not fit the options: then the fault is one of the file, since no option gave the
 /// part.
 void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
@@ -175,7 +167,12 @@ void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
   try {
     Study study = combinations(file.study, file.given).front();
     take_form(study, form);
-    require_bounds(options.study, read_formulas(study).parameters);
+    const std::vector<std::string> parameters = read_formulas(study).parameters;
+    for (const ParameterBounds& bounds : options.study.bounds) {
+      if (std::ranges::find(parameters, bounds.parameter) == parameters.end())
+        throw UserError(fmt::format("--bounds '{}': the form has no parameter '{}', it must be one of {}",
+                                    to_text(bounds), bounds.parameter, fmt::join(parameters, ", ")));
+    }
   } catch (const StudyFault& fault) {
     if (options.id.empty() || options.present.contains(fault.part.option)) throw;
     throw UserError(fmt::format("study '{}'{}", options.id, fault_in(file, fault, form.id)));

@@ -32,7 +32,7 @@ struct ChosenStudySubject {
 /// constants that are not those of the form, for an option of a fit next to given constants, and if the fit
 /// did not converge.
 ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
-                                        const std::optional<Parameters>& parameters,
-                                        const FitOptions& options, const Checkpoint& checkpoint);
+                                        const std::optional<Constants>& parameters, const FitOptions& options,
+                                        const Checkpoint& checkpoint);
 
 }  // namespace shadefit

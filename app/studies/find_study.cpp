@@ -76,10 +76,6 @@ fs::path table_of(const fs::path& study, const StudyFile& file) {
   throw UserError("study '" + study.string() + "'" + fault_in(file, fault, ""));
 }
 
-bool before(const fs::path& a, const fs::path& b) {
-  return a.stem() < b.stem();
-}
-
 }  // namespace
 
 std::vector<fs::path> study_folders(const std::vector<std::string>& given) {
@@ -108,7 +104,7 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
       if (path.extension() == ".toml" && seen.insert(path.stem().string()).second) files.push_back(path);
     }
   }
-  std::ranges::sort(files, before);
+  std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem(); });
   return files;
 }
 

@@ -40,8 +40,8 @@ Constants fitted_constants(const StudyObjective& objective, const std::optional<
 }  // namespace
 
 ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
-                                        const std::optional<Parameters>& parameters,
-                                        const FitOptions& options, const Checkpoint& checkpoint) {
+                                        const std::optional<Constants>& parameters, const FitOptions& options,
+                                        const Checkpoint& checkpoint) {
   const StudyForm& form = file.forms.front();
   Study whole = study;
   take_form(whole, form);

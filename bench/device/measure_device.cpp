@@ -34,18 +34,18 @@ std::vector<float> arguments_of(const bench::Places& places) {
 }
 
 /// The largest absolute error of each form in one precision. Empty if the target has no truth.
-std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::FormsToTime& forms,
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const bench::Trade& trade,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between) {
   const ShaderCompiler compiler;
   std::vector<std::optional<double>> errors;
-  const bench::FormTarget* target = nullptr;
+  const bench::TimedTarget* target = nullptr;
   std::vector<double> truth;
   std::vector<float> arguments;
-  for (const bench::FormToTime& form : forms.forms) {
+  for (const bench::TimedForm& form : trade.forms) {
     between();
-    if (target != &forms.targets.at(form.target)) {
-      target = &forms.targets.at(form.target);
+    if (target == nullptr || target->id != form.target) {
+      target = &bench::target_of(trade, form);
       truth.clear();
       if (target->truth) {
         const bench::Places places = held(target->places, precision);
@@ -74,20 +74,20 @@ struct InPrecision {
   std::size_t alone, polynomial;
   std::vector<std::size_t> forms = {};
   std::vector<std::optional<double>> errors = {};
-
-  bool is_half() const { return precision == ShaderPrecision::float16; }
 };
 
-InPrecision add_all(Programme& programme, const bench::FormsToTime& forms, ShaderPrecision precision) {
+InPrecision add_all(Programme& programme, const bench::Trade& trade, ShaderPrecision precision,
+                    const std::function<void()>& between) {
   const std::array unit{bench::Range{0, 1}};
   InPrecision all{.precision = precision,
                   .alone = programme.add(chain_alone(), unit, precision),
                   .polynomial = programme.add(bench::multiply_add_chain(), unit, precision)};
-  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
-    const auto& [target, row, shape, function] = forms.forms[i];
-    all.forms.push_back(forms.is_timed_before(i)
+  for (std::size_t i = 0; i < trade.forms.size(); ++i) {
+    between();
+    const bench::TimedForm& form = trade.forms[i];
+    all.forms.push_back(trade.is_timed_before(i)
                             ? all.forms.back()
-                            : programme.add(function, forms.targets.at(target).ranges, precision));
+                            : programme.add(form.function, target_of(trade, form).ranges, precision));
   }
   return all;
 }
@@ -107,51 +107,48 @@ Rounds evaluation(const std::vector<Rounds>& times, const InPrecision& one, std:
 }
 
 /// A row with times. `unit` is the time of a multiply-add in float.
-bench::TimedForm timed_row(bench::TimedForm row, const Rounds& ns, double unit, bool is_half) {
+bench::TimedForm timed_row(bench::TimedForm row, const Rounds& ns, double unit, ShaderPrecision precision) {
   row.ns = bench::spread_of(ns);
   row.multiply_adds = row.ns.median / unit;
-  row.is_half = is_half;
+  row.precision = precision;
   return row;
 }
 
 }  // namespace
 
-bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values,
-                               const bench::FormsToTime& forms, const bench::TimingPlan& plan,
-                               const std::function<void(double)>& between) {
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, bench::Trade trade,
+                               const bench::TimingPlan& plan, const std::function<void(double)>& between) {
   const DeviceInfo info = for_times.info();
   const auto go_on = [&] { between(0); };
-  Programme programme(for_times, plan, go_on);
-  std::vector<InPrecision> all{add_all(programme, forms, ShaderPrecision::float32)};
-  if (info.has_half) all.push_back(add_all(programme, forms, ShaderPrecision::float16));
-  for (InPrecision& one : all) one.errors = errors_on_device(for_values, forms, one.precision, go_on);
-  const std::vector<Rounds> times = programme.run(between);
+  Programme programme(for_times);
+  std::vector<InPrecision> all{add_all(programme, trade, ShaderPrecision::float32, go_on)};
+  if (info.has_half) all.push_back(add_all(programme, trade, ShaderPrecision::float16, go_on));
+  for (InPrecision& one : all) one.errors = errors_on_device(for_values, trade, one.precision, go_on);
+  const std::vector<Rounds> times = programme.run(plan, between);
 
-  bench::Trade trade{.machine = {bench::this_cpu(), "", info.name, info.driver, name_of_clock(info)},
-                     .rounds = plan.rounds,
-                     .shows_all_sets = forms.are_of_a_study};
-  for (const bench::FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
+  trade.machine = {bench::this_cpu(), "", info.name, info.driver, name_of_clock(info)};
+  trade.rounds = plan.rounds;
   const double unit = bench::spread_of(multiply_add(times, all.front())).median;
   // All times are divided by it. A clock that stands still, or is coarse, gives 0.
   if (!(unit > 0))
     throw CheckFailed(
         fmt::format("the clock of the device is too coarse: a multiply-add takes {:.3g} ns", unit));
-  trade.forms.push_back(
-      {.form = "empty-dispatch", .label = "empty-dispatch", .ns = bench::spread_of(times.front())});
+  std::vector<bench::TimedForm> rows{
+      {.form = "empty-dispatch", .label = "empty-dispatch", .ns = bench::spread_of(times.front())}};
   for (const InPrecision& one : all)
-    trade.forms.push_back(timed_row({.form = "multiply-add", .label = "multiply-add"},
-                                    multiply_add(times, one), unit, one.is_half()));
-  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
-    const bench::FormToTime& form = forms.forms[i];
+    rows.push_back(timed_row({.form = "multiply-add", .label = "multiply-add"}, multiply_add(times, one),
+                             unit, one.precision));
+  for (std::size_t i = 0; i < trade.forms.size(); ++i) {
     for (const InPrecision& one : all) {
-      bench::TimedForm row = form.row;
+      bench::TimedForm row = trade.forms[i];
       // An error that is known without a device is that of exact arithmetic: float is close to it, half is
       // not.
-      if (one.errors[i] || one.is_half()) row.max_abs_error = one.errors[i];
-      trade.forms.push_back(timed_row(
-          row, evaluation(times, one, one.forms[i], form.function.arguments.size()), unit, one.is_half()));
+      if (one.errors[i] || one.precision == ShaderPrecision::float16) row.max_abs_error = one.errors[i];
+      const Rounds ns = evaluation(times, one, one.forms[i], row.function.arguments.size());
+      rows.push_back(timed_row(std::move(row), ns, unit, one.precision));
     }
   }
+  trade.forms = std::move(rows);
   return trade;
 }
 

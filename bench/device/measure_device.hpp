@@ -9,8 +9,8 @@
 /// Times and errors of forms on a device.
 namespace shadefit::device {
 
-/// Measures forms on a device: in float, and in half if the device has it. The device is opened twice:
-/// with buffers in its own memory for times, and with readable ones for errors.
+/// Measures the forms of a trade on a device: in float, and in half if the device has it. The device is
+/// opened twice: with buffers in its own memory for times, and with readable ones for errors.
 ///
 /// The time of a form is that of one turn of its shader, divided by the evaluations of a turn, less the time
 /// of the chain: that of the shader whose function returns its argument, and a multiply-add for each argument
@@ -20,8 +20,7 @@ namespace shadefit::device {
 ///
 /// The first forms of the trade, without a target, are the empty dispatch and a multiply-add. Throws
 /// CheckFailed if the median time of a multiply-add is not above 0.
-bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values,
-                               const bench::FormsToTime& forms, const bench::TimingPlan& plan,
-                               const std::function<void(double)>& between);
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, bench::Trade trade,
+                               const bench::TimingPlan& plan, const std::function<void(double)>& between);
 
 }  // namespace shadefit::device

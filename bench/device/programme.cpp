@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <utility>
 
 #include "bench/tradeoff/trade.hpp"
 
@@ -17,46 +16,48 @@ std::uint32_t threads_of(const DeviceInfo& info) {
 
 }  // namespace
 
-Programme::Programme(VulkanDevice& device, const bench::TimingPlan& plan, std::function<void()> between)
-    : device_(device), plan_(plan), between_(std::move(between)), threads_(threads_of(device.info())) {
-  const std::array unit{bench::Range{0, 1}};
-  add(timing_shader(chain_alone(), unit, ShaderPrecision::float32), ShaderPrecision::float32, true);
+Programme::Programme(VulkanDevice& device) : device_(device), threads_(threads_of(device.info())) {
+  const Program empty = load(chain_alone(), std::array{bench::Range{0, 1}}, ShaderPrecision::float32);
+  const auto dispatches = [=, this](long count) {
+    double seconds = 0;
+    for (long i = 0; i < count; ++i) seconds += seconds_of(empty, 0);
+    return seconds;
+  };
+  dispatches(1);  // some drivers compile a shader at its first run
+  work_.push_back({dispatches, 1});
 }
 
 std::size_t Programme::add(const ShaderFunction& function, std::span<const bench::Range> ranges,
                            ShaderPrecision precision) {
-  between_();
-  add(timing_shader(function, ranges, precision), precision, false);
+  const Program program = load(function, ranges, precision);
+  const auto turns = [=, this](long count) { return seconds_of(program, count); };
+  turns(1);
+  work_.push_back({turns, static_cast<double>(threads_) * evaluations_a_turn});
   return work_.size() - 1;
 }
 
-std::vector<Rounds> Programme::run(const std::function<void(double)>& between) const {
-  const auto clock = [&] { return seconds_; };
-  std::vector<Rounds> times;
-  for (bench::Samples& samples : bench::time_interleaved(work_, plan_, clock, between))
-    times.push_back(std::move(samples.ns));
+std::vector<Rounds> Programme::run(const bench::TimingPlan& plan,
+                                   const std::function<void(double)>& between) const {
+  const std::vector<bench::Samples> samples = bench::time_interleaved(work_, plan, between);
+  std::vector<Rounds> times{samples.front().ns};
   const double idle = bench::spread_of(times.front()).median;
-  for (std::size_t slot = 1; slot < times.size(); ++slot)
-    for (double& ns : times[slot]) ns -= idle / static_cast<double>(work_[slot].elements);
+  for (std::size_t slot = 1; slot < samples.size(); ++slot) {
+    const double evaluations = static_cast<double>(samples[slot].repeats) * work_[slot].elements;
+    for (double& ns : times.emplace_back(samples[slot].ns)) ns -= idle / evaluations;
+  }
   return times;
 }
 
-double Programme::seconds_of(const Program& program, std::uint32_t turns) const {
-  return seconds_of_dispatch(device_.info(), [&] {
-    return device_.run(program, threads_, {turns, std::bit_cast<std::uint32_t>(chain_factor)});
-  });
+Program Programme::load(const ShaderFunction& function, std::span<const bench::Range> ranges,
+                        ShaderPrecision precision) const {
+  return device_.load(compiler_.spirv(timing_shader(function, ranges, precision), precision));
 }
 
-void Programme::add(const std::string& shader, ShaderPrecision precision, bool is_empty) {
-  constexpr long most = 1L << 24;  // no device runs so many in a millisecond
-  const Program program = device_.load(compiler_.spirv(shader, precision));
-  seconds_of(program, is_empty ? 0 : 1);  // some drivers compile a shader at its first run
-  const auto run = [&](long turns) { return seconds_of(program, static_cast<std::uint32_t>(turns)); };
-  const auto turns =
-      is_empty ? 0U : static_cast<std::uint32_t>(bench::repeats_that_take(plan_.seconds, most, run));
-  const std::size_t evaluations =
-      is_empty ? 1 : std::size_t{threads_} * turns * std::size_t{evaluations_a_turn};
-  work_.push_back({[=, this] { seconds_ += seconds_of(program, turns); }, evaluations, false});
+double Programme::seconds_of(const Program& program, long turns) const {
+  return seconds_of_dispatch(device_.info(), [&] {
+    return device_.run(program, threads_,
+                       {static_cast<std::uint32_t>(turns), std::bit_cast<std::uint32_t>(chain_factor)});
+  });
 }
 
 }  // namespace shadefit::device

@@ -27,8 +27,7 @@ using Rounds = std::vector<double>;
 /// empty kernel. The device must outlive it.
 class Programme {
  public:
-  /// `between` may throw to stop the preparation; the one of `run` may throw too.
-  Programme(VulkanDevice& device, const bench::TimingPlan& plan, std::function<void()> between);
+  explicit Programme(VulkanDevice& device);
   Programme(const Programme&) = delete;
   Programme& operator=(const Programme&) = delete;
 
@@ -37,21 +36,19 @@ class Programme {
                   ShaderPrecision precision);
 
   /// By slot the time of an evaluation in ns, one for each round, less the median time of the empty kernel.
-  /// The first is that of an empty dispatch.
-  std::vector<Rounds> run(const std::function<void(double)>& between) const;
+  /// The first is that of an empty dispatch. `between` may throw.
+  std::vector<Rounds> run(const bench::TimingPlan& plan, const std::function<void(double)>& between) const;
 
  private:
+  Program load(const ShaderFunction& function, std::span<const bench::Range> ranges,
+               ShaderPrecision precision) const;
   /// Dispatches a shader with so many turns, and returns the seconds.
-  double seconds_of(const Program& program, std::uint32_t turns) const;
-  void add(const std::string& shader, ShaderPrecision precision, bool is_empty);
+  double seconds_of(const Program& program, long turns) const;
 
   VulkanDevice& device_;
   ShaderCompiler compiler_;
-  bench::TimingPlan plan_;
-  std::function<void()> between_;
   std::uint32_t threads_;
   std::vector<bench::Work> work_;
-  double seconds_ = 0;  ///< the clock: the seconds of all dispatches so far
 };
 
 }  // namespace shadefit::device

@@ -1,6 +1,7 @@
 #include "bench/forms/accuracy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,53 +11,40 @@
 #include "bench/forms/kernels.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/scalars/half.hpp"
+#include "reports/io/joined.hpp"
 
 namespace shadefit::forms {
 namespace {
 
-/// The inputs of the forms.
-struct Grid {
-  Inputs<double> in = Inputs<double>(3);
-
-  std::size_t size() const { return in[0].size(); }
-  void add(double x, double y = 0, double z = 0) {
-    in[0].push_back(x);
-    in[1].push_back(y);
-    in[2].push_back(z);
-  }
-  /// The last place counts several times, up to a multiple of 64 places: the table's rms errors have this
-  /// weight.
-  void fill() {
-    while (size() % 64 != 0) add(in[0].back(), in[1].back(), in[2].back());
-  }
-};
-
-/// 4097 cosines that are floats, and the neighbours of the ends.
-Grid grid_of(const Target& target) {
-  Grid grid;
+/// The inputs of the forms: 4097 cosines that are floats, and the neighbours of the ends.
+Inputs<double> grid_of(const Target& target) {
+  Inputs<double> grid(3);
+  const auto add = [&](const std::array<double, 3>& place) {
+    for (std::size_t axis = 0; axis < 3; ++axis) grid[axis].push_back(place[axis]);
+  };
   if (target.arguments == Arguments::normal_to_lights) {
     constexpr std::size_t normals = 1024;
     // besides the directions of the most lights of a target
     constexpr std::size_t first = 64;
-    for (std::size_t i = 0; i < normals; ++i) {
-      const auto n = spread_direction(first + i);
-      grid.add(n[0], n[1], n[2]);
-    }
+    for (std::size_t i = 0; i < normals; ++i) add(spread_direction(first + i));
   } else if (target.arguments == Arguments::cosine_and_code) {
     constexpr int steps = 256, codes = 256;
     for (int i = 0; i <= steps; ++i) {
-      for (int code = 0; code < codes; code += 5) grid.add(static_cast<double>(i) / steps, code);
+      for (int code = 0; code < codes; code += 5)
+        add({static_cast<double>(i) / steps, static_cast<double>(code), 0});
     }
   } else {
     constexpr int steps = 4096;
     for (int i = 0; i <= steps; ++i)
-      grid.add(target.from + (target.to - target.from) * static_cast<double>(i) / steps);
+      add({target.from + (target.to - target.from) * static_cast<double>(i) / steps, 0, 0});
     for (const double near : {0x1p-11, 0x1p-24}) {
-      grid.add(target.from + near);
-      grid.add(target.to - near);
+      add({target.from + near, 0, 0});
+      add({target.to - near, 0, 0});
     }
   }
-  grid.fill();
+  // The last place counts several times, up to a multiple of 64 places: the table's rms errors have this
+  // weight.
+  while (grid[0].size() % 64 != 0) add({grid[0].back(), grid[1].back(), grid[2].back()});
   return grid;
 }
 
@@ -66,9 +54,9 @@ struct Places {
   Inputs<R> in;
   std::vector<long double> truth;
 
-  Places(const Grid& grid, const Target& target, Kernel<long double> exact) {
+  Places(const Inputs<double>& grid, const Target& target, Kernel<long double> exact) {
     Inputs<long double> wide;
-    for (const std::vector<double>& axis : grid.in) {
+    for (const std::vector<double>& axis : grid) {
       std::vector<R>& rounded = in.emplace_back();
       for (const double x : axis) rounded.push_back(rounded_to<R>(x));
       std::vector<long double>& exactly = wide.emplace_back();
@@ -90,12 +78,6 @@ struct Places {
   }
 };
 
-/// The distance between the numbers of a format around a normal x.
-template <class R>
-long double ulp_of(long double x) {
-  return std::ldexp(1.0L, std::ilogb(x) - std::numeric_limits<R>::digits + 1);
-}
-
 struct Errors {
   double absolute = 0, relative = 0, rms = 0, ulps = 0, codes = 0;
   double at = 0;
@@ -113,8 +95,9 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
     square += difference * difference;
     errors.absolute = std::max(errors.absolute, off[i]);
     if (std::fabs(truth) >= static_cast<long double>(visible)) {
-      const long double ulps = std::fabs(difference) / ulp_of<R>(truth);
-      errors.ulps = std::max(errors.ulps, static_cast<double>(ulps));
+      // The distance between the numbers of the format around a normal one.
+      const long double ulp = std::ldexp(1.0L, std::ilogb(truth) - std::numeric_limits<R>::digits + 1);
+      errors.ulps = std::max(errors.ulps, static_cast<double>(std::fabs(difference) / ulp));
     }
     effect.show(static_cast<double>(truth), results[i], {{"c = ", places.cosine(i)}});
   }
@@ -129,13 +112,6 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results) {
   return errors;
 }
 
-std::string values_of(const Constants& constants) {
-  std::string text;
-  for (const NamedNumber& number : constants.numbers)
-    text += (text.empty() ? "" : ", ") + number.name + " = " + number.printed;
-  return text;
-}
-
 void append_row(Table& table, const Target& target, const FormEntry& form, const Constants& constants,
                 std::string_view arithmetic, int degree, const Errors& errors) {
   // The truths are long doubles, 1/2048 of an ulp of double apart, and processors differ in their last digit.
@@ -143,18 +119,19 @@ void append_row(Table& table, const Target& target, const FormEntry& form, const
   constexpr int few = 3, place_digits = 6;
   const int digits = arithmetic == "double" ? few : 6;
   const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
+  const auto equation = [](const NamedNumber& given) { return given.name + " = " + given.printed; };
   std::string exp2;
   if (kernels_of(form.id).size() > 1) exp2 = degree == 0 ? "library" : std::to_string(degree);
   table.rows.push_back(
-      {std::string(target.id), std::string(form.id), constants.id, values_of(constants), exp2,
-       std::string(arithmetic), number(errors.absolute, digits),
+      {std::string(target.id), std::string(form.id), constants.id, joined(constants.numbers, ", ", equation),
+       exp2, std::string(arithmetic), number(errors.absolute, digits),
        target.arguments == Arguments::normal_to_lights ? Cell() : number(errors.at, place_digits),
        number(errors.relative, digits), number(errors.rms, digits), number(errors.ulps, few),
        number(errors.codes, few)});
 }
 
 void append(Table& table, const Target& target, const Checkpoint& checkpoint) {
-  const Grid grid = grid_of(target);
+  const Inputs<double> grid = grid_of(target);
   const Kernel<long double> exact = kernels_of(target.forms.front().id).front().in_long_double;
   const Places<Eigen::half> halves(grid, target, exact);
   const Places<float> floats(grid, target, exact);

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "approx/exp2_polynomial.hpp"
-#include "bench/forms/pair_for_exp2.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/verdicts/refit.hpp"
+#include "fit/verdicts/study_objectives.hpp"
 
 namespace shadefit::forms {
 namespace {
@@ -61,19 +61,24 @@ std::vector<Constants> constants_of(std::string_view id) {
   return all;
 }
 
-/// The best pair for the cheapest polynomial instead of exp2.
-void append_pair_for_exp2(std::vector<Constants>& all) {
-  const PairForExp2 pair = fit_pair_for_exp2(least_exp2_degree);
-  if (pair.status != Status::converged) return;
-  all.push_back({"minimax-exp2-" + std::to_string(least_exp2_degree),
-                 {computed_number("a", pair.a), computed_number("b", pair.b)}});
-}
+// The error jumps where the exponent x = (a c + b) c passes the middle between two whole numbers. In c, these
+// places depend on the pair. With x as the variable instead of c, they do not: the polynomial is 2^n p(x - n)
+// for every pair, and the pair moves only the cosine at which (1-c)^5 is evaluated, the root of
+// (a c + b) c = x that is 0 at x = 0. So the polynomial is the target here, and (1-c)^5 the form.
 
-/// The offsets of a lobe that are conventions and not fits: of the plain form, and of a von Mises-Fisher
-/// density.
-void append_conventions(std::vector<Constants>& all) {
-  all.push_back({"plain", {printed_number("x", "0")}});
-  all.push_back({"one", {printed_number("x", "1")}});
+constexpr const char* cosine_of_exponent = "2 x/(b - sqrt(b b + 4 a x))";
+
+/// From the first whole numbers, from 0 down. Without the others the level can only be lower. But errors
+/// there are below the level: the polynomial is at most 2^-8.5 = 0.0028 and (1-c)^5 less, while the level is
+/// at least 0.0034. So the level is that of the whole domain. Its test samples all of it.
+constexpr const char* lowest_exponent = "-8.5";
+
+std::string polynomial(int degree) {
+  const Exp2Coefficients& coefficients = exp2_of_degree(exp2_for_float, degree);
+  std::string text = "0";
+  for (int i = degree; i > 0; --i)
+    text = "r (" + std::string(coefficients.printed[static_cast<std::size_t>(i - 1)]) + " + " + text + ")";
+  return "exp2(n) (1 + " + text + ")";
 }
 
 /// The constants of a form that another form of the same curve uses too.
@@ -143,7 +148,13 @@ Target schlick() {
   for (const char* id : {"fresnel-one-term", "fresnel-quadratic", "fresnel-cubic", "fresnel-quartic",
                          "fresnel-fourth", "fresnel-square", "fresnel-rational"}) {
     target.forms.push_back(of_family(id));
-    if (target.forms.back().id == "fresnel-quadratic") append_pair_for_exp2(target.forms.back().constants);
+    if (target.forms.back().id != "fresnel-quadratic") continue;
+    // The best pair for the cheapest polynomial instead of exp2.
+    const StudyFit pair = fit_pair_for_exp2(least_exp2_degree);
+    if (pair.status != Status::converged) continue;
+    target.forms.back().constants.push_back(
+        {"minimax-exp2-" + std::to_string(least_exp2_degree),
+         {computed_number("a", pair.parameters[1]), computed_number("b", pair.parameters[0])}});
   }
   return target;
 }
@@ -178,6 +189,15 @@ Target lights(std::string_view id, std::size_t count, const std::vector<Constant
 
 }  // namespace
 
+StudyFit fit_pair_for_exp2(int degree) {
+  const Study study{.target = polynomial(degree),
+                    .form = std::string("schlick_weight(") + cosine_of_exponent + ")",
+                    .over = {{"x", lowest_exponent, "0"}},
+                    .definitions = {{"n", {}, "floor(x + 1/2)"}, {"r", {}, "x - n"}},
+                    .starts = {{"a", -5}, {"b", -7}}};
+  return fit_study({.study = study, .norm = Norm::minimax});
+}
+
 std::array<double, 3> spread_direction(std::size_t i) {
   // The first two coordinates of the sequence with the plastic number, whose cube is itself and 1: points
   // that are spread evenly over a square.
@@ -193,7 +213,9 @@ std::array<double, 3> spread_direction(std::size_t i) {
 
 std::vector<Target> catalogue() {
   std::vector<Constants> offsets = constants_of("sg-offset");
-  append_conventions(offsets);
+  // Conventions, not fits: the offsets of the plain form, and of a von Mises-Fisher density.
+  offsets.push_back({"plain", {printed_number("x", "0")}});
+  offsets.push_back({"one", {printed_number("x", "1")}});
   return {lobe(offsets),
           gloss(),
           schlick(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bench/forms/kernels.hpp"
 #include "fit/support/parallel.hpp"
 
 namespace shadefit::bench {
@@ -52,11 +53,6 @@ void note(FloatErrors& found, std::uint32_t at, float value, double truth) {
   }
 }
 
-void note_beyond(FloatErrors& found, std::uint32_t at) {
-  ++found.beyond;
-  if (found.beyond_at.size() < FloatErrors::most_places) found.beyond_at.push_back(at);
-}
-
 /// The errors of one thread.
 FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
   Block floats;
@@ -79,7 +75,9 @@ FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
       const auto is_within = [&] {
         return std::abs(static_cast<double>(value) - floats.middle[i]) <= floats.radius[i];
       };
-      if (subject.bound && !is_within()) note_beyond(found, at);
+      if (!subject.bound || is_within()) continue;
+      ++found.beyond;
+      if (found.beyond_at.size() < FloatErrors::most_places) found.beyond_at.push_back(at);
     }
     first += static_cast<std::uint32_t>(count);
   }
@@ -90,6 +88,21 @@ FloatErrors errors_of_piece(const FloatSubject& subject, const Stretch& piece) {
 
 std::uint64_t FloatErrors::count() const {
   return std::accumulate(ulps.begin(), ulps.end(), nans);
+}
+
+FloatSubject subject_of(const SweptForm& swept) {
+  const forms::FormEntry& exact = swept.target->forms.front();
+  const auto given = forms::parameters_of(*swept.target, *swept.constants);
+  return {[form = forms::kernels_of(swept.form->id).front().in_float,
+           parameters = std::vector<float>(given.begin(), given.end())](const float* in, float* out,
+                                                                        std::size_t count) {
+            std::ranges::copy(form({{in, in + count}}, parameters), out);
+          },
+          [truth = forms::kernels_of(exact.id).front().in_double,
+           parameters = forms::parameters_of(*swept.target, exact.constants.front())](
+              const float* in, double* out, std::size_t count) {
+            std::ranges::copy(truth({{in, in + count}}, parameters), out);
+          }};
 }
 
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch,

@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "bench/forms/catalogue.hpp"
+
 /// Compares a form at every float of a stretch with the reference rounded to float.
 namespace shadefit::bench {
 
@@ -61,6 +63,19 @@ struct FloatSubject {
   /// Called by one thread before the floats of a stretch are looked at. Empty: nothing to prepare.
   std::function<void(const Stretch&)> prepare = {};
 };
+
+/// A form of the catalogue with a set of its constants, and the target that it is compared with.
+struct SweptForm {
+  const forms::FormEntry* form;
+  const forms::Target* target;
+  const forms::Constants* constants;
+};
+
+/// The form in float, and as the reference the target's formula in double, by the library. The reference's
+/// error is a few last bits of a double: less than one for pow of the C library (as documented), half of one
+/// for 1 - c of a float, multiplied by a power of some tens. One ulp of a float is 2^29 ulps of a double, so
+/// the reference rounds to the right float, except within a millionth of the middle between two floats.
+FloatSubject subject_of(const SweptForm& swept);
 
 /// The errors on a stretch, on all cores. `between` gets the finished share, and may end the work by
 /// throwing.

@@ -101,17 +101,12 @@ std::vector<RealOf<S>> values_of(const Inputs<RealOf<S>>& in, std::span<const Re
   return values;
 }
 
-/// The degrees of exp2 with a double kernel: below 4 float is accurate enough, and 5 is hardly cheaper than
-/// 6.
-constexpr bool has_double_kernel(int degree) {
-  return degree == 4 || degree == 6;
-}
-
 template <std::size_t I, int degree>
 FormKernels with_polynomial() {
   FormKernels kernels{.form = std::get<I>(all_forms).id, .exp2_degree = degree};
   kernels.in_float = values_of<I, WithExp2<float, Exp2Choice<degree, float>>>;
-  if constexpr (has_double_kernel(degree))
+  // Below 4 float is accurate enough, and 5 is hardly cheaper than 6.
+  if constexpr (degree == 4 || degree == 6)
     kernels.in_double = values_of<I, WithExp2<double, Exp2Choice<degree, double>>>;
   return kernels;
 }

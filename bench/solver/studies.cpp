@@ -19,11 +19,6 @@ const Study pair{.target = "(1-c)^5", .form = "exp2((a c + b) c)", .over = {{"c"
 /// Many nodes: what is done once for all of them does not count.
 constexpr unsigned nodes = gauss_sizes.back();
 
-void count_nodes(benchmark::State& state) {
-  state.counters["nodes"] =
-      benchmark::Counter(nodes, benchmark::Counter::kIsIterationInvariantRate, benchmark::Counter::kIs1000);
-}
-
 /// The error with its derivatives, summed over nodes.
 void rate_of_tape(benchmark::State& state) {
   const ReadStudy study = read_study(pair);
@@ -36,7 +31,8 @@ void rate_of_tape(benchmark::State& state) {
     sampled.products(p, columns, products);
     benchmark::DoNotOptimize(products);
   }
-  count_nodes(state);
+  state.counters["nodes"] =
+      benchmark::Counter(nodes, benchmark::Counter::kIsIterationInvariantRate, benchmark::Counter::kIs1000);
 }
 
 template <class Fit>

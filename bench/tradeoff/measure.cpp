@@ -1,15 +1,24 @@
 #include "bench/tradeoff/measure.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <cmath>
-#include <deque>
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <random>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "approx/exp2_polynomial.hpp"
-#include "bench/tradeoff/compiled_code.hpp"
+#include "bench/tradeoff/timed_forms.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/output.hpp"
+#include "reports/io/scratch_directory.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -17,91 +26,65 @@ namespace {
 /// Calls a function for every element of arrays. The type is the same for any number of variables.
 using Loop = void (*)(const float* const* in, float* out, long size);
 
-/// A function of the code.
-struct TimedFunction {
-  ShaderFunction function;
-  int exp2_degree;
-  std::size_t arrays;  ///< the place of its arrays
-};
-
-/// The loop that calls a function.
-std::string loop_of(const ShaderFunction& function) {
+/// A form, and the loop that calls it.
+std::string code_of(const TimedForm& form) {
   std::string arguments;
-  for (std::size_t i = 0; i < function.arguments.size(); ++i)
+  for (std::size_t i = 0; i < form.function.arguments.size(); ++i)
     arguments += fmt::format("{}in[{}][i]", i == 0 ? "" : ", ", i);
-  return fmt::format(
-      "void loop_{0}(const float* const* in, float* out, long size) {{\n"
-      "  for (long i = 0; i < size; ++i) out[i] = {0}({1});\n}}\n",
-      function.name, arguments);
+  const std::string code =
+      shader_code(std::span(&form.function, 1), Language::c, ShaderPrecision::float32, {}) +
+      fmt::format(
+          "void loop_{0}(const float* const* in, float* out, long size) {{\n"
+          "  for (long i = 0; i < size; ++i) out[i] = {0}({1});\n}}\n",
+          form.function.name, arguments);
+  if (form.exp2_degree == 0) return code;
+  return fmt::format("#define exp2f exp2_degree_{}\n{}#undef exp2f\n", form.exp2_degree, code);
 }
 
-/// The functions with an exp2 of that degree, and their loops.
-std::string code_with_exp2(int degree, const std::vector<TimedFunction>& timed) {
-  std::vector<ShaderFunction> functions;
-  std::string loops;
-  for (const TimedFunction& one : timed) {
-    if (one.exp2_degree != degree) continue;
-    functions.push_back(one.function);
-    loops += loop_of(one.function);
-  }
-  if (functions.empty()) return "";
-  const std::string code = shader_code(functions, Language::c, ShaderPrecision::float32, {}) + loops;
-  if (degree == 0) return code;
-  return fmt::format("{}#define exp2f exp2_degree_{}\n{}#undef exp2f\n", exp2_in_c(degree), degree, code);
-}
-
-std::string code_of(const std::vector<TimedFunction>& timed) {
+std::string code_of(const Trade& trade) {
   // The name of the compiler is its own.
   std::string code =
       "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
       "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
-  code += code_with_exp2(0, timed);
-  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree)
-    code += code_with_exp2(degree, timed);
+  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree) code += exp2_in_c(degree);
+  for (std::size_t i = 0; i < trade.forms.size(); ++i)
+    if (!trade.is_timed_before(i)) code += code_of(trade.forms[i]);
   return code;
 }
 
-/// Arrays that fit into the first cache together. The points cover the ranges of the arguments evenly but
-/// unsorted: an additive recurrence. Its steps are the powers of 1/x with x^(n+1) = x + 1, which generalise
-/// the golden ratio (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences",
-/// extremelearning.com.au).
-class FilledArrays {
- public:
-  explicit FilledArrays(const std::vector<Range>& ranges) {
-    // Half of 32 KiB, the smallest cache of x86-64 processors of the last decade, so that other data fit too.
-    constexpr std::size_t bytes = 16 * 1024;
-    size_ = bytes / (sizeof(float) * (ranges.size() + 1)) / 64 * 64;
-    // Each array has another offset in its page; otherwise loads would wait for stores.
-    stride_ = (size_ + 1023) / 1024 * 1024 + 128;
-    memory_.resize((ranges.size() + 1) * stride_);
-    double root = 2;
-    for (int i = 0; i < 50; ++i) root = std::pow(1 + root, 1 / static_cast<double>(ranges.size() + 1));
-    double step = 1;
-    for (const Range& range : ranges) {
-      step /= root;
-      float* const array = &memory_[in_.size() * stride_];
-      for (std::size_t i = 0; i < size_; ++i) {
-        const double share = std::fmod(step * static_cast<double>(i + 1), 1.0);
-        array[i] = static_cast<float>(range.from + share * (range.to - range.from));
-      }
-      in_.push_back(array);
+/// A loop over arrays that fit into the first cache together. Their points lie in the ranges of the
+/// arguments, unsorted.
+Work work_of(Loop loop, const std::vector<Range>& ranges) {
+  // Half of 32 KiB, the smallest cache of x86-64 processors of the last decade, so that other data fit too.
+  constexpr std::size_t bytes = 16 * 1024;
+  const std::size_t size = bytes / (sizeof(float) * (ranges.size() + 1)) / 64 * 64;
+  // Each array has another offset in its page; otherwise loads would wait for stores.
+  const std::size_t stride = (size + 1023) / 1024 * 1024 + 128;
+  const auto memory = std::make_shared<std::vector<float>>((ranges.size() + 1) * stride);
+  float* array = memory->data();
+  std::vector<const float*> in;
+  std::minstd_rand random;
+  for (const Range& range : ranges) {
+    std::uniform_real_distribution within(range.from, range.to);
+    std::generate_n(array, size, [&] { return static_cast<float>(within(random)); });
+    in.push_back(array);
+    array += stride;
+  }
+  const auto run = [memory, in, out = array, size, loop](long calls) {
+    const auto start = std::chrono::steady_clock::now();
+    for (long i = 0; i < calls; ++i) {
+      loop(in.data(), out, static_cast<long>(size));
+      // Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
+      asm volatile("" : : "r"(out) : "memory");
     }
-  }
-
-  Work work(Loop loop) {
-    float* const out = &memory_[in_.size() * stride_];
-    return {[=, this] {
-              loop(in_.data(), out, static_cast<long>(size_));
-              keep(out);
-            },
-            size_};
-  }
-
- private:
-  std::size_t size_, stride_;
-  std::vector<float> memory_;
-  std::vector<const float*> in_;
-};
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  return {[run](long calls) {
+            run(calls / 8 + 1);  // an eighth of a visit restores caches and branch prediction
+            return run(calls);
+          },
+          static_cast<double>(size)};
+}
 
 }  // namespace
 
@@ -127,39 +110,51 @@ std::string exp2_in_c(int degree) {
              static_cast<int>(Limits::rounder), Limits::mantissa_bits);
 }
 
-Trade measure(const FormsToTime& forms, const TimingPlan& plan, const Clock& clock,
-              const std::function<void(double)>& between) {
-  std::deque<FilledArrays> arrays;  // work points to them
-  for (const FormTarget& target : forms.targets) arrays.emplace_back(target.ranges);
-  arrays.emplace_back(std::vector{Range{0, 1}});
-  std::vector<TimedFunction> timed{{multiply_add_chain(), 0, arrays.size() - 1}};
-  std::vector<std::size_t> time_of;  // by form: the place of its function
-  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
-    const FormToTime& form = forms.forms[i];
-    if (!forms.is_timed_before(i)) timed.push_back({form.function, form.row.exp2_degree, form.target});
-    time_of.push_back(timed.size() - 1);
+std::shared_ptr<void> compiled_code(const std::string& source) {
+  constexpr const char* flags =
+      "-std=c11 -O3 -fno-tree-vectorize -fno-tree-slp-vectorize -ffp-contract=off -fno-math-errno -fPIC -shared";
+  const char* chosen = std::getenv("CC");
+  const std::string compiler = chosen != nullptr && *chosen != '\0' ? chosen : "cc";
+  const ScratchDirectory scratch;
+  const auto file = [&](const char* name) { return (scratch.path() / name).string(); };
+  write_files(scratch.path(), {{"forms.c", source}});
+  const std::string command = fmt::format("{} {} -o '{}' '{}' -lm 2>'{}'", compiler, flags, file("forms.so"),
+                                          file("forms.c"), file("said"));
+  if (std::system(command.c_str()) != 0) {
+    const std::string said = read_file(file("said"));
+    throw UserError(fmt::format("the C compiler '{}' (variable CC, else cc) cannot compile the forms: {}",
+                                printable(compiler), printable(said.substr(0, said.find('\n')))));
   }
-  for (std::size_t i = 0; i < timed.size(); ++i) timed[i].function.name = fmt::format("form_{}", i);
-  between(0);
-  const CompiledCode code(code_of(timed));
-  std::vector<Work> work;
-  for (const TimedFunction& one : timed)
-    work.push_back(arrays[one.arrays].work(reinterpret_cast<Loop>(code.at("loop_" + one.function.name))));
-  const std::vector<Samples> samples = time_interleaved(work, plan, clock, between);
+  void* const library = ::dlopen(file("forms.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr)
+    throw UserError(fmt::format("cannot load the output of the C compiler: {}", printable(::dlerror())));
+  return {library, ::dlclose};
+}
 
-  Trade trade{.machine = {this_cpu(), static_cast<const char*>(code.at("compiler"))},
-              .rounds = plan.rounds,
-              .shows_all_sets = forms.are_of_a_study};
-  for (const FormTarget& target : forms.targets) trade.targets.push_back(target.heading);
-  Spread unit = spread_of(samples.front().ns);
-  for (double* ns : {&unit.median, &unit.lower_quartile, &unit.upper_quartile}) *ns /= multiply_adds_of_chain;
-  trade.forms.push_back({.form = "multiply-add", .label = "multiply-add", .ns = unit, .multiply_adds = 1.0});
-  for (std::size_t i = 0; i < forms.forms.size(); ++i) {
-    TimedForm row = forms.forms[i].row;
-    row.ns = spread_of(samples.at(time_of[i]).ns);
-    row.multiply_adds = row.ns.median / unit.median;
-    trade.forms.push_back(std::move(row));
+Trade measure(Trade trade, const TimingPlan& plan, const std::function<void(double)>& between) {
+  std::vector<TimedForm>& forms = trade.forms;
+  forms.insert(forms.begin(),
+               {.form = "multiply-add", .label = "multiply-add", .function = multiply_add_chain()});
+  for (std::size_t i = 0; i < forms.size(); ++i) forms[i].function.name = fmt::format("form_{}", i);
+  between(0);
+  const std::shared_ptr<void> code = compiled_code(code_of(trade));
+  std::vector<Work> work;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (trade.is_timed_before(i)) continue;
+    void* const loop = ::dlsym(code.get(), ("loop_" + forms[i].function.name).c_str());
+    work.push_back(work_of(reinterpret_cast<Loop>(loop),
+                           i == 0 ? std::vector{Range{0, 1}} : target_of(trade, forms[i]).ranges));
   }
+  const std::vector<Samples> samples = time_interleaved(work, plan, between);
+
+  trade.machine = {this_cpu(), static_cast<const char*>(::dlsym(code.get(), "compiler"))};
+  trade.rounds = plan.rounds;
+  auto next = samples.begin();
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    forms[i].ns = trade.is_timed_before(i) ? forms[i - 1].ns : spread_of((next++)->ns);
+  Spread& unit = forms.front().ns;
+  unit = {unit.median / multiply_adds_of_chain, unit.width / multiply_adds_of_chain};
+  for (TimedForm& form : forms) form.multiply_adds = form.ns.median / unit.median;
   return trade;
 }
 

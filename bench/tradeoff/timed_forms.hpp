@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,48 +10,11 @@
 #include "fit/better/better_study.hpp"
 #include "reports/code/shader_code.hpp"
 
-/// What is timed, on this processor or on a graphics device: forms of the catalogue or of a study, each as
-/// the code that `emit` writes for it.
+/// The forms that are timed: those of the catalogue or of a study.
 namespace shadefit::bench {
-
-/// The range of an argument.
-struct Range {
-  double from, to;
-};
-
-/// The floats of each argument, the same number for all.
-using Places = std::vector<std::vector<float>>;
 
 /// The floats of a grid over the ranges with their ends, with so many steps in each.
 Places grid_over(const std::vector<Range>& ranges, const std::vector<std::size_t>& steps);
-
-/// What forms approximate.
-struct FormTarget {
-  TimedTarget heading;
-  std::vector<Range> ranges;  ///< of its arguments
-  Places places;              ///< where its forms are compared with it on a device
-  /// The target in double at any places. Empty for measured rows.
-  std::function<std::vector<double>(const Places&)> truth;
-};
-
-/// A form with one set of its constants.
-struct FormToTime {
-  std::size_t target;  ///< its place among the targets
-  TimedForm row;       ///< names and an error, no times
-  std::string shape;   ///< forms of one target with the same text here have the same time
-  ShaderFunction function;
-};
-
-struct FormsToTime {
-  std::vector<FormTarget> targets;
-  std::vector<FormToTime> forms;  ///< by target; those of one shape follow each other
-  bool are_of_a_study = false;
-
-  /// Whether a form has the time of the one before it.
-  bool is_timed_before(std::size_t i) const {
-    return i > 0 && forms[i].target == forms[i - 1].target && forms[i].shape == forms[i - 1].shape;
-  }
-};
 
 /// The name of each function.
 inline constexpr const char* form_name = "form";
@@ -72,14 +35,13 @@ enum class Exp2Kinds {
 
 /// The forms of the catalogue for these targets, or for all of them. Forms of several lights are left out:
 /// they are sums of one light. Errors are the largest in float on a dense grid, against the target in double.
-FormsToTime catalogue_forms(const std::vector<forms::Target>& catalogue,
-                            const std::vector<std::string>& targets, Exp2Kinds exp2);
+Trade catalogue_forms(const std::vector<forms::Target>& catalogue, const std::vector<std::string>& targets,
+                      Exp2Kinds exp2);
 
 /// The forms of a study and its targets. Errors are those of exact arithmetic. Throws UserError for a form
 /// that has no code in that language, and if there is nothing to time because no fit converged and nothing
 /// was published.
-FormsToTime study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons,
-                        Language language);
+Trade study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons, Language language);
 
 /// Multiply-adds, each of which waits for the one before: the unit of every time. A polynomial of degree 16
 /// by Horner's rule, from [0, 1] to [0, 1].

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
@@ -12,22 +11,10 @@
 /// resolution of the clock does not matter.
 namespace shadefit::bench {
 
-/// Seconds since the clock's origin.
-using Clock = std::function<double()>;
-
-/// The steady clock.
-double now();
-
-/// Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
-inline void keep(const void* memory) {
-  asm volatile("" : : "r"(memory) : "memory");
-}
-
 /// A timed piece of work.
 struct Work {
-  std::function<void()> once;
-  std::size_t elements;  ///< of one call
-  bool is_warm = true;   ///< each visit begins with untimed calls, so that its data are in the cache
+  std::function<double(long repeats)> run;  ///< repeats it so often and returns the seconds
+  double elements;                          ///< of one repeat
 };
 
 struct TimingPlan {
@@ -37,7 +24,7 @@ struct TimingPlan {
 
 /// The times of one piece of work.
 struct Samples {
-  long calls = 0;          ///< within a visit
+  long repeats = 0;        ///< within a visit
   std::vector<double> ns;  ///< per element, one number per round
 };
 
@@ -48,7 +35,7 @@ long repeats_that_take(double seconds, long most, const std::function<double(lon
 
 /// Times all of the work; every other round goes backwards. Between visits, `between` gets the finished
 /// share, from 0 to 1. It may end the work by throwing.
-std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan, const Clock& clock,
+std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan,
                                       const std::function<void(double)>& between);
 
 }  // namespace shadefit::bench

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace shadefit::bench {
 
 Spread spread_of(std::vector<double> samples) {
-  if (samples.empty()) throw std::invalid_argument("no samples have no median");
   std::ranges::sort(samples);
   const auto quantile = [&](double share) {
     const double rank = share * static_cast<double>(samples.size() - 1);
     const auto below = static_cast<std::size_t>(rank), above = std::min(below + 1, samples.size() - 1);
     return samples[below] + (rank - static_cast<double>(below)) * (samples[above] - samples[below]);
   };
-  return {quantile(0.5), quantile(0.25), quantile(0.75)};
+  return {quantile(0.5), quantile(0.75) - quantile(0.25)};
 }
 
 std::string this_cpu() {
@@ -28,8 +26,8 @@ std::string this_cpu() {
   return "unknown";
 }
 
-std::string precision_of(const TimedForm& timed) {
-  return timed.is_half ? "half" : "float";
+const TimedTarget& target_of(const Trade& trade, const TimedForm& form) {
+  return *std::ranges::find(trade.targets, form.target, &TimedTarget::id);
 }
 
 std::string full_id(const TimedForm& timed) {
@@ -49,7 +47,7 @@ std::vector<TimedForm> shown_forms(const Trade& trade, const std::string& target
   for (const TimedForm& timed : trade.forms) {
     if (timed.target != target) continue;
     const auto same = std::ranges::find_if(shown, [&](const TimedForm& other) {
-      return full_id(other) == full_id(timed) && other.is_half == timed.is_half;
+      return full_id(other) == full_id(timed) && other.precision == timed.precision;
     });
     if (trade.shows_all_sets || same == shown.end()) {
       shown.push_back(timed);

@@ -46,10 +46,6 @@ Table fits_stress_table(const std::vector<Fit>& fits) {
   return table;
 }
 
-Table stress_summary(const Table& forms) {
-  return columns_of(forms, {0, 1, 4, 7, 9, 10, 11, 12, 13, 14});
-}
-
 std::string broken_lines(const std::vector<FormTrial>& trials) {
   std::string lines;
   for (const FormTrial& t : trials) {

@@ -25,9 +25,6 @@ Table forms_stress_table(const std::vector<FormTrial>& trials);
 /// empty where it did not converge.
 Table fits_stress_table(const std::vector<Fit>& fits);
 
-/// The columns of a table for a console that say most.
-Table stress_summary(const Table& forms);
-
 /// A line for each robust form that breaks its bound or has an unusable result.
 std::string broken_lines(const std::vector<FormTrial>& trials);
 

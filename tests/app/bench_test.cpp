@@ -8,8 +8,8 @@
 #include <set>
 
 #include "app/commands/command_line.hpp"
-#include "app/options/bench_options.hpp"
 #include "app/output/interrupt.hpp"
+#include "app/output/progress.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/process.hpp"

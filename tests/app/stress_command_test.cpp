@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "app/output/slow_tables.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/findings/baseline.hpp"
+#include "reports/io/files.hpp"
 #include "reports/rows/stress_tables.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -37,8 +37,7 @@ TEST(SlowTables, AreComparedCellByCell) {
 }
 
 TEST(SlowTables, StandInTheirFolderOfTheBaseline) {
-  const std::filesystem::path folder =
-      std::filesystem::path(SHADEFIT_SOURCE_DIR "/reports/baseline") / slow_tables_folder;
+  const std::filesystem::path folder = SHADEFIT_SOURCE_DIR "/reports/baseline/slow";
   EXPECT_NE(read_file(folder / forms_stress_file), "");
   EXPECT_NE(read_file(folder / fits_stress_file), "");
 }

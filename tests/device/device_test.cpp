@@ -22,22 +22,21 @@ TEST_F(Device, RunsEveryFormWithinTheBoundInBothLanguages) {
   constexpr double vague = 0x1p-7;
   const std::vector<forms::Target> catalogue = forms::catalogue();
   std::map<forms::Arguments, DrawnInputs> drawn;
-  const bench::FormsToTime all = bench::catalogue_forms(catalogue, {}, bench::Exp2Kinds::library);
+  const bench::Trade all = bench::catalogue_forms(catalogue, {}, bench::Exp2Kinds::library);
   EXPECT_GT(all.forms.size(), 70U);
-  for (const bench::FormToTime& form : all.forms) {
-    const auto kind = std::ranges::find(catalogue, form.row.target, &forms::Target::id)->arguments;
+  for (const bench::TimedForm& form : all.forms) {
+    const auto kind = std::ranges::find(catalogue, form.target, &forms::Target::id)->arguments;
     if (!drawn.contains(kind)) drawn.emplace(kind, drawn_for(kind));
     const DrawnInputs& inputs = drawn.at(kind);
     const std::vector<double> values = values_at(inputs, form.function);
     const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
     // log2 of 0, or of a subnormal number that is flushed to 0, is no number that a bound could have.
     const auto is_vague = [](double bound) { return bound > vague; };
-    const bool has_log2_of_zero = form.row.form == "lobe-exp2-log2";
-    EXPECT_EQ(std::count_if(bounds.begin(), bounds.end(), is_vague), has_log2_of_zero ? 2 : 0)
-        << form.row.label;
+    const bool has_log2_of_zero = form.form == "lobe-exp2-log2";
+    EXPECT_EQ(std::count_if(bounds.begin(), bounds.end(), is_vague), has_log2_of_zero ? 2 : 0) << form.label;
     for (const Language language : languages) {
       EXPECT_EQ(beyond(form.function, language, inputs, values, bounds), "")
-          << form.row.target << " " << form.row.label << " in " << name(language);
+          << form.target << " " << form.label << " in " << name(language);
     }
   }
 }

@@ -73,7 +73,7 @@ TEST(TimingShader, HoldsTheTextThatEmitWrites) {
 /// A plan of a second: tests ask whether times are plausible, not what they are.
 constexpr bench::TimingPlan short_plan{3, 3e-4};
 
-bench::Trade measured(const bench::FormsToTime& forms) {
+bench::Trade measured(const bench::Trade& forms) {
   VulkanDevice for_times({.has_buffers_on_device = true}), for_values(DeviceChoice{});
   return measure_on_device(for_times, for_values, forms, short_plan, [](double) {});
 }
@@ -84,7 +84,7 @@ bool has_half() {
 
 const bench::TimedForm& row_of(const bench::Trade& trade, std::string_view form, std::string_view precision) {
   return *std::find_if(trade.forms.begin(), trade.forms.end(), [&](const bench::TimedForm& row) {
-    return row.form == form && precision_of(row) == precision;
+    return row.form == form && name(row.precision) == precision;
   });
 }
 
@@ -94,15 +94,15 @@ INSTANTIATE_TEST_SUITE_P(Drivers, TimesOnDriver, ::testing::ValuesIn(testing::dr
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(TimesOnDriver, EveryFormHasATimeAndAnError) {
-  const bench::FormsToTime forms = bench::catalogue_forms(forms::catalogue(), {}, bench::Exp2Kinds::library);
+  const bench::Trade forms = bench::catalogue_forms(forms::catalogue(), {}, bench::Exp2Kinds::library);
   const bench::Trade trade = measured(forms);
   const std::size_t precisions = has_half() ? 2 : 1;
   EXPECT_EQ(trade.forms.size(), 1 + precisions * (1 + forms.forms.size()));
   EXPECT_TRUE(trade.machine.is_graphics());
 
   std::map<std::array<std::string, 3>, double> on_cpu;
-  for (const bench::FormToTime& form : forms.forms)
-    on_cpu[{form.row.target, form.row.form, form.row.constants}] = form.row.max_abs_error.value();
+  for (const bench::TimedForm& form : forms.forms)
+    on_cpu[{form.target, form.form, form.constants}] = form.max_abs_error.value();
   // The log2 of both drivers errs by up to 3e-7 near 1. A power of 16 multiplies that by 16 ln 2, to 4e-6;
   // twice that is also more than what all other functions add.
   constexpr double slack = 8e-6;
@@ -111,8 +111,8 @@ TEST_P(TimesOnDriver, EveryFormHasATimeAndAnError) {
   constexpr double slack_of_half = 0.05;
   for (const bench::TimedForm& row : trade.forms) {
     if (row.target.empty()) continue;
-    const std::string name = row.target + " " + row.label + " " + precision_of(row);
-    const bool is_half = precision_of(row) == "half";
+    const std::string name = row.target + " " + row.label + " " + std::string(shadefit::name(row.precision));
+    const bool is_half = row.precision == ShaderPrecision::float16;
     // Short rounds beside other programs: a difference of two times may be below 0.
     EXPECT_TRUE(std::isfinite(*row.multiply_adds)) << name << *row.multiply_adds;
     const double cpu = on_cpu.at({row.target, row.form, row.constants});

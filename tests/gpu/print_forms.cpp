@@ -29,11 +29,10 @@ void append(Json& all, const std::string& id, ShaderFunction function,
 
 Json every_form() {
   Json all = Json::array();
-  const bench::FormsToTime forms = bench::catalogue_forms(forms::catalogue(), {}, bench::Exp2Kinds::library);
-  for (const bench::FormToTime& form : forms.forms) {
-    const bench::FormTarget& target = forms.targets[form.target];
-    append(all, target.heading.id + "/" + form.row.form + "/" + form.row.constants, form.function,
-           target.ranges);
+  const bench::Trade forms = bench::catalogue_forms(forms::catalogue(), {}, bench::Exp2Kinds::library);
+  for (const bench::TimedForm& form : forms.forms) {
+    append(all, form.target + "/" + form.form + "/" + form.constants, form.function,
+           target_of(forms, form).ranges);
   }
   for (const testing::FormOfStudy& form : testing::forms_of_studies()) {
     if (!form.is_published || integral_depth(form.function.result) > 0) continue;
