@@ -50,9 +50,6 @@ std::string text(const Cell& cell, Precision precision);
 
 Cell word(std::string_view text);
 
-/// The table with one more column, of the same text in each row.
-Table with_column(Table table, const std::string& column, const std::string& text);
-
 /// The table with `count` columns from `first` on as one column of texts: "a = 1, b = 2".
 Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,
                           Precision precision);
