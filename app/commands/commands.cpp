@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "app/commands/study_commands.hpp"
-#include "app/lint/explain_number.hpp"
+#include "app/lint/lint_command.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
 #include "app/output/slow_tables.hpp"

@@ -1,5 +1,3 @@
-#include "app/lint/explain_number.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
