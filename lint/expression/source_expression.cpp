@@ -271,11 +271,6 @@ long deepest_parentheses_in(std::string_view text) {
 
 }  // namespace
 
-bool is_number(const Symbolic& formula) {
-  if (formula.kind() == Symbolic::Kind::variable) return false;
-  return std::ranges::all_of(formula.parts(), is_number);
-}
-
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
   std::string plain(text);
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
