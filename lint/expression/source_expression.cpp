@@ -201,21 +201,20 @@ class Rewriter {
     if (function == "ln") function = "log";
     if (function == "powi" || function == "powf") function = "pow";
     if (function == "mul_add") function = "fma";
+    const std::size_t begin = receiver(), open = at_;
     const auto inside = group('(', ')');
-    if (!inside) return false;
-    const std::size_t begin = receiver();
-    if (begin == out_.size()) return false;
-    Rewriter arguments(*inside);
-    arguments.names_ = names_;
-    const auto rest = arguments.rewrite();
-    if (!rest) return false;
-    names_ = arguments.names_;
+    if (!inside || begin == out_.size()) return false;
     const std::string number = out_.substr(begin);
-    // x.mul(2) of three.js and of matrix libraries is x * (2).
-    const std::string_view sign = operator_of(function);
     out_.resize(begin);
-    out_ += sign.empty() ? fmt::format("{}({}{}{})", function, number, rest->empty() ? "" : ", ", *rest)
-                         : fmt::format("({}{}({}))", number, sign, *rest);
+    // x.mul(2) of three.js and of matrix libraries is x * (2).
+    if (const std::string_view sign = operator_of(function); !sign.empty()) {
+      out_ += "(" + number + std::string(sign);
+      text_.insert(at_, ")");
+      at_ = open;  // the parentheses stay
+    } else {
+      out_ += function + "(" + number + (inside->empty() ? "" : ", ");
+      at_ = open + 1;  // the arguments follow, with the closing parenthesis
+    }
     return true;
   }
 
