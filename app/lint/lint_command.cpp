@@ -246,7 +246,7 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     return report_of(lint_standard_input(options, known, limits, checkpoint), shown, given);
   progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
+  const Checkpoint next = stepping(checkpoint, progress, "lint", sources.files.size());
   lint::LintedTree linted =
       lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
   progress("");
