@@ -90,27 +90,22 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
 
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how) {
-  struct OfFile {
-    std::vector<LintedSite> sites;
-    bool is_read = false;
-    SkippedFiles skipped;
-  };
-  std::vector<OfFile> found(tree.files.size());
+  std::vector<LintedTree> found(tree.files.size());
   for_each_in_parallel(
       tree.files.size(),
       [&](std::size_t i, const Checkpoint& checkpoint) {
         const SourceFile& file = tree.files[i];
         const auto text = read_source(file, found[i].skipped);
         if (!text) return;
-        found[i].is_read = true;
+        found[i].files = 1;
         found[i].sites =
             lint_source(file.name, *text, file.language, known, limits, checkpoint, &found[i].skipped);
       },
       how);
   LintedTree linted{.sites = {}, .skipped = tree.skipped};
-  for (OfFile& one : found) {
+  for (LintedTree& one : found) {
     add(linted.skipped, one.skipped);
-    if (one.is_read) ++linted.files;
+    linted.files += one.files;
     std::ranges::move(one.sites, std::back_inserter(linted.sites));
   }
   return linted;

@@ -50,7 +50,7 @@ class Planner {
 
   Plan plan() && {
     decide_materials();
-    if (lobes_.are_none()) {
+    if (lobes_.all.empty()) {
       skip_all();
     } else {
       decide_fresnel();
