@@ -53,12 +53,7 @@ constexpr std::string_view name(FindingFormat format) {
   return names[static_cast<std::size_t>(format)];
 }
 
-/// Whether a finding fails its check: an error that is neither suppressed nor in the baseline.
-inline bool is_failure(const Finding& finding) {
-  return finding.level == FindingLevel::error && !finding.suppressed && !finding.is_known;
-}
-
-/// Whether no finding fails the check.
+/// Whether no finding fails the check: none is an error that is neither suppressed nor in the baseline.
 bool passes(const FindingReport& report);
 
 /// The report in one of the formats, with a line end at its end where it is not empty:

@@ -152,7 +152,7 @@ std::string findings_markdown(const FindingReport& report) {
 }  // namespace
 
 bool passes(const FindingReport& report) {
-  return std::ranges::none_of(report.findings, is_failure);
+  return count(report).errors == 0;
 }
 
 FindingCounts count(const FindingReport& report) {

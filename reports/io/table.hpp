@@ -24,11 +24,6 @@ inline constexpr int all_digits = 17;
 /// escapes for its place.
 using Cell = std::variant<std::monostate, std::string, long, Number, OthersText>;
 
-/// Whether a cell has words.
-inline bool has_words(const Cell& cell) {
-  return std::holds_alternative<std::string>(cell) || std::holds_alternative<OthersText>(cell);
-}
-
 /// A number with all digits.
 inline Cell all_of(double value) {
   return Number{value, all_digits};
