@@ -10,9 +10,6 @@
 namespace shadefit::lint {
 namespace {
 
-/// Most files take microseconds.
-constexpr std::size_t files_of_a_piece = 32;
-
 /// Finds lines and columns of a text, in rising order.
 class PlaceFinder {
  public:
@@ -91,37 +88,24 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
   return sites;
 }
 
-std::size_t count_pieces(const SourceTree& tree) {
-  return (tree.files.size() + files_of_a_piece - 1) / files_of_a_piece;
-}
-
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how) {
-  struct OfFile {
-    std::vector<LintedSite> sites;
-    bool is_read = false;
-    SkippedFiles skipped;
-  };
-  std::vector<OfFile> found(tree.files.size());
+  std::vector<LintedTree> found(tree.files.size());
   for_each_in_parallel(
-      count_pieces(tree),
-      [&](std::size_t piece, const Checkpoint& checkpoint) {
-        const std::size_t first = piece * files_of_a_piece;
-        for (std::size_t i = first; i < std::min(first + files_of_a_piece, tree.files.size()); ++i) {
-          checkpoint();
-          const SourceFile& file = tree.files[i];
-          const auto text = read_source(file, found[i].skipped);
-          if (!text) continue;
-          found[i].is_read = true;
-          found[i].sites =
-              lint_source(file.name, *text, file.language, known, limits, checkpoint, &found[i].skipped);
-        }
+      tree.files.size(),
+      [&](std::size_t i, const Checkpoint& checkpoint) {
+        const SourceFile& file = tree.files[i];
+        const auto text = read_source(file, found[i].skipped);
+        if (!text) return;
+        found[i].files = 1;
+        found[i].sites =
+            lint_source(file.name, *text, file.language, known, limits, checkpoint, &found[i].skipped);
       },
       how);
   LintedTree linted{.sites = {}, .skipped = tree.skipped};
-  for (OfFile& one : found) {
+  for (LintedTree& one : found) {
     add(linted.skipped, one.skipped);
-    if (one.is_read) ++linted.files;
+    linted.files += one.files;
     std::ranges::move(one.sites, std::back_inserter(linted.sites));
   }
   return linted;

@@ -17,12 +17,10 @@ struct LintedTree {
   SkippedFiles skipped;
 };
 
-/// How many pieces of work a tree is: `before_each` of `lint_tree` is called once for each.
-std::size_t count_pieces(const SourceTree& tree);
-
-/// Reads and judges each file, on all cores. A site with a comment "shadefit: ignore REASON" in its line or
-/// in the line above keeps its grade and gets the reason. A pinned number is judged by its pin alone: the
-/// other sites with this number are left out if the rest of their numbers are right.
+/// Reads and judges each file as a piece of work of its own, on all cores. A site with a comment "shadefit:
+/// ignore REASON" in its line or in the line above keeps its grade and gets the reason. A pinned number is
+/// judged by its pin alone: the other sites with this number are left out if the rest of their numbers are
+/// right.
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how = {});
 

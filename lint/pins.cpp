@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::string_view mark = "shadefit:", word_of_ignoring = "ignore";
 
-bool is_of_pin_name(char c) {
-  return is_of_name(c) || c == '-' || c == '.';
-}
-
 /// The line before a mark, without the start of the comment; null if no comment starts there.
 std::string_view before_comment(std::string_view line) {
   line = line.substr(0, begin_of_run(line, line.size(), is_blank));
@@ -33,7 +29,8 @@ std::string_view before_comment(std::string_view line) {
 /// The word after a mark, without the end of a sentence or of the comment.
 std::string_view name_behind(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  const std::string_view name = text.substr(0, end_of_run(text, 0, is_of_pin_name));
+  const auto is_of_pin = [](char c) { return is_of_name(c) || c == '-' || c == '.'; };
+  const std::string_view name = text.substr(0, end_of_run(text, 0, is_of_pin));
   return name.substr(0, name.find_last_not_of(".-") + 1);  // npos + 1 is 0
 }
 

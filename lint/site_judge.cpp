@@ -222,18 +222,15 @@ class SiteJudge {
   }
 
   const Literal& at(std::size_t literal) const { return text_.literals[literal]; }
-  const Digits& digits_at(const SiteNumber& number) const { return at(number.literal).digits; }
-  Digits published(const SiteNumber& number) const {
-    return digits_of(set_.constants[number.constant].printed);
-  }
 
   std::vector<LintedNumber> judged_numbers() const {
     const bool has_other_units = is_in_other_units(site_);
     std::vector<LintedNumber> numbers;
     for (const SiteNumber& number : site_.numbers) {
       const bool is_shifted = number.match == DigitMatch::shifted;
+      const Digits published = digits_of(set_.constants[number.constant].printed);
       const bool is_of_units =
-          has_other_units && (is_shifted || !have_near_exponents(digits_at(number), published(number)));
+          has_other_units && (is_shifted || !have_near_exponents(at(number.literal).digits, published));
       const Grade grade = is_of_units && is_shifted ? Grade::right : lint::grade_of(set_, number);
       std::vector<std::size_t> places(number.repeats + 1);
       std::iota(places.begin(), places.end(), number.literal - number.repeats);

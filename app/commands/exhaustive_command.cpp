@@ -105,9 +105,11 @@ Outcome exhaustive_command(const BenchOptions& options, const Watched& work) {
                       write_console(table, Precision::report, options.terminal) + beyond + histogram,
                   ""};
   if (is_one) return outcome;
-  const File file{
-      "errors.csv",
-      write_csv(options.device ? with_column(table, "device", sweeper.device) : table, Precision::report)};
+  if (options.device) {
+    table.columns.emplace_back("device");
+    for (auto& row : table.rows) row.emplace_back(sweeper.device);
+  }
+  const File file{"errors.csv", write_csv(table, Precision::report)};
   outcome.out +=
       fmt::format("\nResult: {}\n", printable((std::filesystem::path(options.out) / file.name).string()));
   outcome.put = prepare_output(options.out, {file}, {}, options.force, work.checkpoint);

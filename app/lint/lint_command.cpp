@@ -235,7 +235,7 @@ Outcome lint_command(const LintOptions& given, const Watched& work) {
     return report_of(lint_standard_input(options, known, limits, work.checkpoint), shown, given);
   work.progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  const Checkpoint next = stepping(work, "lint", lint::count_pieces(sources));
+  const Checkpoint next = stepping(work, "lint", sources.files.size());
   lint::LintedTree linted =
       lint_tree(sources, known, limits, {.before_each = next, .checkpoint = work.checkpoint});
   work.progress("");

@@ -48,4 +48,9 @@ void declare_lint(CLI::App& lint, LintOptions& options);
 /// UserError for bad paths, a bad configuration and a bad baseline.
 Outcome lint_command(const LintOptions& options, const Watched& work);
 
+/// `shadefit explain 5.55473`: the constants with these digits that `lint` knows, and the claims that print
+/// them. Without any: the constants that differ by a digit. Empty if the text of the options is not a number.
+/// Throws UserError if no constant has it.
+std::optional<Outcome> explain_number(const ExplainOptions& options);
+
 }  // namespace shadefit

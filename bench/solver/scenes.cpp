@@ -3,7 +3,7 @@
 #include <string>
 
 #include "bench/solver/benchmarks.hpp"
-#include "scene/materials/powers.hpp"
+#include "scene/materials/conversions.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace shadefit::bench {

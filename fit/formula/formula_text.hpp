@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ class FormulaText {
 
   /// The letter that is `ahead` places from the next one.
   char next(std::size_t ahead = 0) const { return at(place_ + ahead); }
+
+  std::string_view rest() const { return text_.substr(std::min(place_, text_.size())); }
 
   /// Moves to the next letter that is not a space, and returns it; '\0' at the end.
   char peek();

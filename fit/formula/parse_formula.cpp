@@ -53,10 +53,10 @@ class FormulaReader {
   FormulaReader(std::string_view text, const FormulaNames& names) : text_(text), names_(names) {}
 
   ReadFormula whole() {
-    if (const auto place = text_.statement())
+    if (const auto place = names_.program != nullptr ? std::nullopt : text_.statement())
       text_.fail("one expression, not statements (a definition, as of --let, can name a part)", place);
     const Symbolic result = limited(formula());
-    text_.skip(';');
+    if (names_.program == nullptr) text_.skip(';');
     if (!text_.is_at_end()) text_.fail("an operator or the end");
     require_size(size_of(result));
     return {result, parameters_};
@@ -218,14 +218,18 @@ class FormulaReader {
 
   Operand atom() {
     Operand result = bare_atom();
+    const auto* value = std::get_if<Symbolic>(&result);
+    if (value != nullptr && names_.program != nullptr) result = names_.program->behind(*value, text_);
     refuse_what_follows();
     return result;
   }
 
   Operand bare_atom() {
+    if (names_.program != nullptr && text_.begins_atom() && text_.peek() != '(')
+      return names_.program->atom(text_);
     if (text_.begins_number()) return number();
     if (begins_name(text_.peek())) return named();
-    if (skip_cast()) return cast();
+    if (names_.program == nullptr && skip_cast()) return cast();
     refuse_bars();
     if (!text_.skip('(')) text_.fail("a number, a name or '('");
     Operand inner = any_formula();

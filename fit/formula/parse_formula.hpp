@@ -18,6 +18,15 @@ namespace shadefit {
 inline constexpr std::size_t longest_formula = 4000;
 inline constexpr std::size_t deepest_formula = 200;
 
+class FormulaText;
+
+/// What an expression of a program has where a formula has numbers, names and casts. Both move behind what
+/// they read.
+struct ProgramNotation {
+  Symbolic (*atom)(FormulaText& text);                    ///< a number, or a name with what belongs to it
+  Symbolic (*behind)(Symbolic value, FormulaText& text);  ///< a value with what stands behind it
+};
+
 /// The names that a formula may contain besides pi, ln2 and the functions.
 struct FormulaNames {
   std::vector<std::string> variables;
@@ -28,6 +37,7 @@ struct FormulaNames {
   bool takes_integrals = false;  ///< whether `integral(body, t, lower, upper)`, fit/truths/truths.hpp and
                                  ///< named_formulas.hpp are read
   std::vector<std::string> parameters = {};  ///< then no other name is a parameter; empty: any may be
+  const ProgramNotation* program = nullptr;  ///< then all names are read by it
 };
 
 struct ReadFormula {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "lint/expression/curve_comparison.hpp"
-#include "lint/expression/mutants.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -69,7 +68,7 @@ std::vector<double> numbers_compared_in(const Symbolic& expression) {
   std::vector<double> numbers;
   for (const Symbolic& part : all_parts(expression))
     for (std::size_t side = 0; part.kind() == Symbolic::Kind::choice && side < 2; ++side)
-      if (is_number(part.part(side)))
+      if (part.part(side).is_of_numbers())
         numbers.push_back(evaluate<double>(part.part(side), [](const auto&) { return 0.0; }));
   return numbers;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lint/expression/source_expression.hpp"
+#include "fit/scalars/symbolic.hpp"
 #include "lint/scan/known_set.hpp"
 
 /// Whether the expression of a site is the form of its set.
@@ -25,9 +25,8 @@ struct ExpressionMatch {
 
 /// Looks in the expression for a part that holds as many of these numbers as the whole does, and has the
 /// values of the form. The form may be unchanged, may have a
-/// constant of `missing` replaced by a number of the expression, or may have one slip
-/// (lint/expression/mutants.hpp). The names of the expression may be the variables of the form in any order.
-/// Empty if no part matches.
+/// constant of `missing` replaced by a number of the expression, or may have one slip (see mutants_of). The
+/// names of the expression may be the variables of the form in any order. Empty if no part matches.
 std::optional<ExpressionMatch> match_expression(const Symbolic& expression, const KnownSet& set,
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,
@@ -36,6 +35,18 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
 /// Whether such a part has the values of the unchanged form.
 bool is_form(const Symbolic& expression, const KnownSet& set, const std::vector<double>& constants,
              const std::vector<double>& numbers);
+
+/// A formula with one slip: a small mistake in copying.
+struct Mutant {
+  Symbolic formula;
+  std::string words;  ///< "1 + k c for 1 - k c"
+};
+
+/// The formulas that differ from this one in one operation: another sign, a product for a sum, a function of
+/// the same family (exp for exp2), a lost term or factor, swapped operands, a lost or moved pair of
+/// parentheses, or an operand moved into or out of a function's argument. A missing constant factor, such as
+/// 1/pi, is not a slip: it may be elsewhere.
+std::vector<Mutant> mutants_of(const Symbolic& formula);
 
 /// The names of the variables and constants of a formula.
 std::set<std::string> names_of(const Symbolic& formula);

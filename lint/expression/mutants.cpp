@@ -1,9 +1,8 @@
-#include "lint/expression/mutants.hpp"
-
 #include <functional>
+#include <string_view>
 #include <utility>
 
-#include "lint/expression/source_expression.hpp"
+#include "lint/expression/compare.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -29,7 +28,7 @@ bool is_product(const Symbolic& formula) {
 /// Whether a product or quotient only has a constant factor such as 1/pi: programs fold it into other
 /// factors.
 bool is_scaled(const Symbolic& formula) {
-  return is_number(formula.part(0)) || is_number(formula.part(1));
+  return formula.part(0).is_of_numbers() || formula.part(1).is_of_numbers();
 }
 
 /// a (b + c) as a b + c, (a + b) c as a + b c; the same for quotients and differences.

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "fit/formula/formula_text.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/formula/shader_calls.hpp"
 #include "lint/expression/calls.hpp"
@@ -17,234 +18,167 @@
 namespace shadefit::lint {
 namespace {
 
-/// " * " for mul; empty for words other than add, sub, mul and div.
-std::string_view operator_of(std::string_view word) {
-  if (word == "mul") return " * ";
-  if (word == "add") return " + ";
-  if (word == "sub") return " - ";
-  return word == "div" ? " / " : "";
+Symbolic read_program(std::string_view text);
+
+/// The text in the parentheses or brackets that open at the place. Moves behind them.
+std::string_view group_at(FormulaText& text, char open, char close) {
+  const std::string_view rest = text.rest();
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest[i] == open) ++depth;
+    if (rest[i] != close || --depth > 0) continue;
+    text.go_to(text.place() + i + 1);
+    return rest.substr(1, i - 1);
+  }
+  text.fail(std::string(1, close));
 }
 
-/// Rewrites a program's expression in the notation of formulas.
-class Rewriter {
- public:
-  explicit Rewriter(std::string text) : text_(std::move(text)) {}
+/// A decimal number without its suffix and separators.
+Symbolic number_at(FormulaText& text) {
+  const Notation number = parts_of_number(text.rest());
+  if (number.suffix.starts_with('x') || number.suffix.starts_with('X')) text.fail("a decimal number");
+  std::string digits(text.rest().substr(0, number.length - number.suffix.size()));
+  std::erase_if(digits, [](char c) { return is_one_of(c, "_'"); });
+  text.go_to(text.place() + number.length);
+  return Symbolic::number(FormulaText(digits).number());
+}
 
-  /// The expression, which has no comments, as a formula of v0, v1 and so on. Empty if it has operations
-  /// other than those of scalars.
-  std::optional<std::string> rewrite() {
-    while (at_ < text_.size()) {
-      if (out_.size() > longest_formula) return std::nullopt;
-      const char c = text_[at_];
-      if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
-        if (!number()) return std::nullopt;
-      } else if (is_of_name(c)) {
-        if (!word()) return std::nullopt;
-      } else if (c == '.') {
-        if (!method()) return std::nullopt;
-      } else if (c == '+' && is_unary_plus()) {
-        ++at_;
-      } else {
-        if (!is_one_of(c, "+-*/(),?:<>=!&| \t\r\n")) return std::nullopt;
-        out_ += c;
-        ++at_;
-      }
-    }
-    return out_;
-  }
+std::string word_at(FormulaText& text) {
+  const std::string_view rest = text.rest(), word = rest.substr(0, end_of_run(rest, 0, is_of_name));
+  text.go_to(text.place() + word.size());
+  return std::string(word);
+}
 
-  /// What v0, v1 and so on stand for in the program.
-  const std::vector<std::string>& names() const { return names_; }
+/// Prefixes of functions that have no meaning here: Math.pow, np.exp, System.MathF.Pow.
+bool is_module(std::string_view path) {
+  constexpr std::array<std::string_view, 11> modules{"Math",  "MathF", "Mathf", "StrictMath", "math", "np",
+                                                     "numpy", "jnp",   "torch", "tf",         "dr"};
+  const std::string_view last = path.substr(path.rfind('.') + 1);
+  return std::ranges::find(modules, last) != modules.end();
+}
 
- private:
-  char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+/// Whether a text begins with a method of the number before it: .powf(2.4).
+bool begins_method(std::string_view text) {
+  constexpr std::array<std::string_view, 14> methods{".powf(",  ".powi(",  ".pow(", ".sqrt()", ".exp()",
+                                                     ".exp2()", ".log2()", ".ln()", ".abs()",  ".mul_add(",
+                                                     ".mul(",   ".add(",   ".sub(", ".div("};
+  return std::ranges::any_of(methods, [&](std::string_view method) { return text.starts_with(method); });
+}
 
-  void blanks() { at_ = end_of_run(text_, at_, is_blank); }
-
-  /// The last character of the output that is no blank; '(' if there is none.
-  char last() const {
-    const std::size_t end = begin_of_run(out_, out_.size(), is_blank);
-    return end == 0 ? '(' : out_[end - 1];
-  }
-
-  /// A sign that changes nothing, as in "return + a * x"; not that of "++i".
-  bool is_unary_plus() const { return peek(1) != '+' && is_one_of(last(), "+-*/^(,?:<>=&|"); }
-
-  /// A decimal number without its suffix and separators.
-  bool number() {
-    const Notation number = parts_of_number(std::string_view(text_).substr(at_));
-    if (number.suffix.starts_with('x') || number.suffix.starts_with('X')) return false;
-    const std::size_t end = at_ + number.length - number.suffix.size();
-    for (std::size_t i = at_; i < end; ++i)
-      if (!is_one_of(text_[i], "_'")) out_ += text_[i];
-    at_ += number.length;
-    return true;
-  }
-
-  std::string take_word() {
-    const std::size_t first = at_;
-    at_ = end_of_run(text_, at_, is_of_name);
-    return text_.substr(first, at_ - first);
-  }
-
-  /// After an opening parenthesis: the text up to the closing one. Empty without one.
-  std::optional<std::string> group(char open, char close) {
-    std::size_t depth = 0;
-    const std::size_t first = at_;
-    for (; at_ < text_.size(); ++at_) {
-      if (text_[at_] == open) ++depth;
-      if (text_[at_] == close && --depth == 0) {
-        ++at_;
-        return text_.substr(first + 1, at_ - first - 2);
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// The components of a vector, if they are all the same: vec3(0.055, 0.055, 0.055).
-  static std::optional<std::string> only_component(std::string_view group) {
-    const std::vector<std::string_view> components = arguments_in(group);
-    const bool is_one =
-        std::ranges::all_of(components, [&](std::string_view one) { return one == components.front(); });
-    return is_one ? std::optional(std::string(components.front())) : std::nullopt;
-  }
-
-  void name(const std::string& text) {
-    const auto found = std::ranges::find(names_, text);
-    out_ += "v" + std::to_string(found - names_.begin());
-    if (found == names_.end()) names_.push_back(text);
-  }
-
-  /// A name with its members, elements and qualifiers; a function; or a constructor.
-  bool word() {
-    std::string path = take_word();
-    while (true) {
-      if (peek(0) == ':' && peek(1) == ':' && is_of_name(peek(2))) {
-        at_ += 2;
-        path = take_word();  // a namespace has no meaning here
-      } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
-        at_ += 2;
-        path += "." + take_word();
-      } else if (peek(0) == '.' && is_of_name(peek(1)) && (is_module(path) || !is_method())) {
-        ++at_;
-        const std::string member = take_word();
-        path = is_module(path) ? member : path + "." + member;
-      } else if (peek(0) == '[') {
-        const auto inside = group('[', ']');
-        if (!inside) return false;
-        path += "[" + *inside + "]";
-      } else {
-        break;
-      }
-    }
-    if (is_number_type(path) && peek(0) == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
-    const std::size_t behind = at_;
-    blanks();
-    if (peek(0) == '(') return call(path);
-    at_ = behind;
-    if (const auto multiple = pi_in(path))
-      out_ += *multiple;
-    else
-      name(path);
-    return true;
-  }
-
-  /// Prefixes of functions that have no meaning here: Math.pow, np.exp, System.MathF.Pow.
-  static bool is_module(std::string_view path) {
-    constexpr std::array<std::string_view, 11> modules{"Math",  "MathF", "Mathf", "StrictMath", "math", "np",
-                                                       "numpy", "jnp",   "torch", "tf",         "dr"};
-    const std::string_view last = path.substr(path.rfind('.') + 1);
-    return std::ranges::find(modules, last) != modules.end();
-  }
-
-  bool call(const std::string& path) {
-    const std::size_t open = at_;
-    if (is_number_type(path)) {
-      const auto inside = group('(', ')');
-      if (!inside) return false;
-      const auto component = only_component(*inside);
-      if (!component) return false;
-      text_.replace(open + 1, inside->size(), *component);
-      at_ = open;  // the parentheses stay
-      return true;
-    }
-    const std::string function = usual_name(path);
-    if (!argument_counts(function).empty()) {
-      out_ += function;
-      return true;
-    }
-    const auto inside = group('(', ')');
-    if (!inside) return false;
-    if (const auto formula = function == "dot" ? dot_product(*inside) : std::nullopt) {
-      text_.replace(open + 1, inside->size(), *formula);
-      at_ = open;  // the parentheses stay
+/// A name with its members, elements and qualifiers.
+std::string path_at(FormulaText& text) {
+  std::string path = word_at(text);
+  const auto skip = [&](std::string_view sign) {
+    return is_of_name(text.next(sign.size())) && text.rest().starts_with(sign) && text.skip(sign);
+  };
+  while (true) {
+    if (skip("::")) {
+      path = word_at(text);  // a namespace has no meaning here
+    } else if (skip("->")) {
+      path += "." + word_at(text);
+    } else if ((is_module(path) || !begins_method(text.rest())) && skip(".")) {
+      const std::string member = word_at(text);
+      path = is_module(path) ? member : path + "." + member;
+    } else if (text.next() == '[') {
+      path += "[" + std::string(group_at(text, '[', ']')) + "]";
     } else {
-      name(path + "(" + *inside + ")");
+      return path;
     }
-    return true;
   }
+}
 
-  /// Whether a member that begins here is a method of the number before it: x.powf(2.4).
-  bool is_method() const {
-    const std::string_view rest = std::string_view(text_).substr(at_ + 1);
-    constexpr std::array<std::string_view, 14> methods{"powf(",  "powi(",  "pow(", "sqrt()", "exp()",
-                                                       "exp2()", "log2()", "ln()", "abs()",  "mul_add(",
-                                                       "mul(",   "add(",   "sub(", "div("};
-    return std::ranges::any_of(methods, [&](std::string_view method) { return rest.starts_with(method); });
+/// A function of the values, and of the arguments in a list behind them.
+Symbolic call_of(std::string_view function, std::vector<Symbolic> values, std::string_view list) {
+  if (values.empty() || !list.empty())
+    for (const std::string_view argument : arguments_in(list)) values.push_back(read_program(argument));
+  const std::vector<std::size_t> counts = argument_counts(function);
+  if (std::ranges::find(counts, values.size()) == counts.end())
+    throw std::invalid_argument(fmt::format("{} arguments of {}", values.size(), function));
+  return call(function, values);
+}
+
+/// A name that ends at the place. Directly behind it stands no other, as in "(2k)th" of a sentence.
+Symbolic name_before(const FormulaText& text, const std::string& name) {
+  if (is_of_name(text.next())) text.fail("an operator");
+  return Symbolic::variable(name);
+}
+
+/// What stands before a list in parentheses and the list: a constructor, a function, or else a name.
+Symbolic call_at(const std::string& path, FormulaText& text) {
+  const std::string_view list = group_at(text, '(', ')');
+  if (is_number_type(path)) {
+    // The components of a vector may all be the same: vec3(0.055, 0.055, 0.055).
+    const std::vector<std::string_view> components = arguments_in(list);
+    if (std::ranges::count(components, components.front()) < std::ssize(components))
+      text.fail("a vector of one number");
+    return read_program(components.front());
   }
+  const std::string function = usual_name(path);
+  if (!argument_counts(function).empty()) return call_of(function, {}, list);
+  if (const auto sum = function == "dot" ? dot_product(list) : std::nullopt) return read_program(*sum);
+  return name_before(text, path + "(" + std::string(list) + ")");
+}
 
-  /// x.powf(2.4) and (..).powf(2.4) become pow(x, 2.4).
-  bool method() {
-    if (!is_method()) return swizzle();
-    ++at_;
-    std::string function = take_word();
-    if (function == "ln") function = "log";
-    if (function == "powi" || function == "powf") function = "pow";
-    if (function == "mul_add") function = "fma";
-    const auto inside = group('(', ')');
-    if (!inside) return false;
-    const std::size_t begin = receiver();
-    if (begin == out_.size()) return false;
-    Rewriter arguments(*inside);
-    arguments.names_ = names_;
-    const auto rest = arguments.rewrite();
-    if (!rest) return false;
-    names_ = arguments.names_;
-    const std::string number = out_.substr(begin);
-    // x.mul(2) of three.js and of matrix libraries is x * (2).
-    const std::string_view sign = operator_of(function);
-    out_.resize(begin);
-    out_ += sign.empty() ? fmt::format("{}({}{}{})", function, number, rest->empty() ? "" : ", ", *rest)
-                         : fmt::format("({}{}({}))", number, sign, *rest);
-    return true;
-  }
+/// A number; or a name with what belongs to it.
+Symbolic atom_at(FormulaText& text) {
+  if (text.begins_number()) return number_at(text);
+  const std::string path = path_at(text);
+  if (is_number_type(path) && text.next() == '<')
+    text.go_to(text.place() + std::min(text.rest().find('>'), text.rest().size() - 1) + 1);
+  const std::size_t behind = text.place();
+  if (text.peek() == '(') return call_at(path, text);
+  text.go_to(behind);
+  const auto multiple = pi_in(path);
+  return multiple ? parse_formula(*multiple, {}) : name_before(text, path);
+}
 
-  /// Where the operand at the end of the output begins.
-  std::size_t receiver() const {
-    std::size_t begin = begin_of_run(out_, out_.size(), [](char c) { return c == ' '; });
-    if (begin > 0 && out_[begin - 1] == ')') {
-      int depth = 0;
-      while (begin > 0) {
-        --begin;
-        if (out_[begin] == ')') ++depth;
-        if (out_[begin] == '(' && --depth == 0) break;
-      }
+/// The value of a method: x.powf(2.4) is pow(x, 2.4). x.mul(2) of three.js and of matrix
+/// libraries is x * 2.
+Symbolic method_at(const Symbolic& value, FormulaText& text) {
+  std::string function = word_at(text);
+  const std::string_view list = group_at(text, '(', ')');
+  if (function == "mul") return value * read_program(list);
+  if (function == "add") return value + read_program(list);
+  if (function == "sub") return value - read_program(list);
+  if (function == "div") return value / read_program(list);
+  if (function == "ln") function = "log";
+  if (function == "powi" || function == "powf") function = "pow";
+  if (function == "mul_add") function = "fma";
+  return call_of(function, {value}, list);
+}
+
+/// A value with the methods behind it in its line. Its components change nothing: (..).xyz.
+Symbolic with_methods(Symbolic value, FormulaText& text) {
+  while (true) {
+    const std::string_view rest = text.rest();
+    const bool is_method = begins_method(rest.substr(std::min(rest.find_first_not_of(' '), rest.size())));
+    if (text.peek() == '^') text.fail("an operation of scalars");
+    if (!text.skip('.')) return value;
+    if (is_method) {
+      value = method_at(value, text);
+      continue;
     }
-    return begin_of_run(out_, begin, [](char c) { return is_of_name(c) || c == '.'; });
+    const std::string components = word_at(text);
+    if (components.empty() || components.size() > 4 ||
+        components.find_first_not_of("xyzwrgba") != std::string::npos)
+      text.fail("components");
   }
+}
 
-  /// Drops the components of a group: (..).xyz.
-  bool swizzle() {
-    ++at_;
-    const std::string components = take_word();
-    return !components.empty() && components.size() <= 4 &&
-           components.find_first_not_of("xyzwrgba") == std::string::npos;
+/// Signs that change nothing, as in "return + a * x", are blanks; not those of "++i".
+void drop_unary_plus(std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '+' || text.substr(i + 1, 1) == "+") continue;
+    const std::size_t end = begin_of_run(text, i, is_blank);
+    if (end == 0 || is_one_of(text[end - 1], "+-*/^(,?:<>=&|")) text[i] = ' ';
   }
+}
 
-  std::string text_, out_;
-  std::size_t at_ = 0;
-  std::vector<std::string> names_;
-};
+/// Throws std::invalid_argument for what is no expression of scalars.
+Symbolic read_program(std::string_view text) {
+  static constexpr ProgramNotation notation{atom_at, with_methods};
+  return read_formula(text, {.variables = {}, .program = &notation}).formula;
+}
 
 /// Python's "a if x < t else b" as x < t ? a : b.
 std::string with_sign_of_choice(std::string text) {
@@ -271,25 +205,14 @@ long deepest_parentheses_in(std::string_view text) {
 
 }  // namespace
 
-bool is_number(const Symbolic& formula) {
-  if (formula.kind() == Symbolic::Kind::variable) return false;
-  return std::ranges::all_of(formula.parts(), is_number);
-}
-
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
   std::string plain(text);
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
-  Rewriter source(std::move(plain));
-  const auto rewritten = source.rewrite();
-  if (!rewritten || deepest_parentheses_in(*rewritten) > deepest_parentheses) return std::nullopt;
-  FormulaNames names;
-  for (std::size_t i = 0; i < source.names().size(); ++i) names.variables.push_back("v" + std::to_string(i));
+  if (deepest_parentheses_in(plain) > deepest_parentheses) return std::nullopt;
+  drop_unary_plus(plain);
   try {
-    const Symbolic formula = read_formula(*rewritten, names).formula;
-    if (formula.depth() > deepest_expression) return std::nullopt;
-    return evaluate<Symbolic>(formula, [&](const std::string& name) {
-      return Symbolic::variable(source.names()[std::stoul(name.substr(1))]);
-    });
+    const Symbolic formula = read_program(plain);
+    return formula.depth() > deepest_expression ? std::nullopt : std::optional(formula);
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }

@@ -30,9 +30,6 @@ std::optional<Symbolic> read_expression(std::string_view text, CommentStyle styl
 /// read_expression(), or what remembers its answers.
 using ReadExpression = std::function<std::optional<Symbolic>(std::string_view, CommentStyle)>;
 
-/// Whether a formula has no names: 4 pi.
-bool is_number(const Symbolic& formula);
-
 /// The values of the statements around the bytes [begin, end), as formulas of the names that are not assigned
 /// there. For
 ///   float a = x * (x + 0.0245786); float b = x * 0.983729 + 0.238081; return a / b;

@@ -145,7 +145,7 @@ std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::s
       continue;
     }
     Symbolic value = evaluate<Symbolic>(*right, value_of);
-    if (statement.end <= begin && !keeps_all && !is_number(value)) continue;
+    if (statement.end <= begin && !keeps_all && !value.is_of_numbers()) continue;
     if (assignment->operation != '\0')
       value = combined(assignment->operation, value_of(assignment->name), value);
     std::size_t left = most_parts_of_value;

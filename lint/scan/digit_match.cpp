@@ -32,17 +32,14 @@ Digits rounded_to(const Digits& digits, std::size_t n) {
   return cut_to(result, n + 1);
 }
 
-/// All digits of a double that is a float: 112 at most.
-Digits all_digits_of(double value) {
-  return digits_of(fmt::format("{:.112e}", value));
-}
-
 /// Whether one would print these digits for the float or for the published number: rounded or cut off.
 /// 0.159301758125 for 0.1593017578125 is the same float, but nobody prints it: a digit was lost.
 bool is_print_of_float(const Digits& found, const Digits& published) {
   if (!is_same_float(found, published)) return false;
   if (is_shortened(found, published)) return true;
-  const Digits all = all_digits_of(static_cast<double>(static_cast<float>(number_of(published))));
+  // A float has at most 112 digits.
+  const auto nearest = static_cast<double>(static_cast<float>(number_of(published)));
+  const Digits all = digits_of(fmt::format("{:.112e}", nearest));
   return found == rounded_to(all, found.text.size()) || found == cut_to(all, found.text.size());
 }
 

@@ -1,9 +1,8 @@
-#include "lint/scan/functions.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "lint/scan/characters.hpp"
+#include "lint/scan/sites.hpp"
 
 namespace shadefit::lint {
 namespace {

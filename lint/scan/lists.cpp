@@ -83,7 +83,9 @@ bool is_in_table(const ScannedText& text, std::size_t first, std::size_t last) {
     do next = is_behind ? next + 1 : next - 1;  // 0 - 1 is beyond all
     while (next < none && text.literals[next].is_in_comment);
     if (next >= none) return none;
-    const std::string_view between = text_between(text, std::min(literal, next), std::max(literal, next));
+    const Literal &a = text.literals[std::min(literal, next)], &b = text.literals[std::max(literal, next)];
+    const std::size_t end = a.offset + a.length;
+    const std::string_view between = text.text.substr(end, b.offset - end);
     return between.size() <= longest && is_between_elements(with_blank_comments(between, text.style)) ? next
                                                                                                       : none;
   };

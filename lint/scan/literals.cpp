@@ -60,18 +60,15 @@ class LiteralReader {
         ++at_;
       }
       // The last sign of a long comment has closed it, and is a part of it.
-      if (code_ != nullptr && (comment_ != '\0' || (was_long && c == '*'))) blank(first);
+      if (code_ != nullptr && (comment_ != '\0' || (was_long && c == '*')))
+        for (std::size_t i = first; i < at_; ++i)
+          if (!is_blank((*code_)[i])) (*code_)[i] = ' ';
     }
     return std::move(literals_);
   }
 
  private:
   char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-
-  void blank(std::size_t first) {
-    for (std::size_t i = first; i < at_; ++i)
-      if (!is_blank((*code_)[i])) (*code_)[i] = ' ';
-  }
 
   void word() {
     // One letter follows a backslash: "\n0.055" in a string holds a number.

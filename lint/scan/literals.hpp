@@ -52,10 +52,4 @@ struct ScannedText {
   std::span<const Literal> literals;
 };
 
-/// The text between two literals.
-inline std::string_view text_between(const ScannedText& text, std::size_t a, std::size_t b) {
-  const std::size_t end = text.literals[a].offset + text.literals[a].length;
-  return text.text.substr(end, text.literals[b].offset - end);
-}
-
 }  // namespace shadefit::lint

@@ -54,13 +54,11 @@ class SiteBits {
       case DigitMatch::usual_slip:
         return bits(published) - 1;  // one of two
       case DigitMatch::edited:
-        return bits(published) - bits_of_edits(published);
+        // A text of n digits has some 20 n neighbours at one edit.
+        return bits(published) - std::log2(20 * static_cast<double>(published));
     }
     return 0;
   }
-
-  /// A text of n digits has some 20 n neighbours at one edit.
-  static double bits_of_edits(std::size_t digits) { return std::log2(20 * static_cast<double>(digits)); }
 
   std::size_t count_different() const {
     std::set<std::string_view> texts;

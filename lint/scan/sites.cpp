@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "lint/scan/functions.hpp"
 #include "lint/scan/lists.hpp"
 #include "lint/scan/notation.hpp"
 

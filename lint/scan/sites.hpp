@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "lint/scan/digit_index.hpp"
@@ -60,6 +61,10 @@ using ReadSite = std::function<Reading(const Site&)>;
 /// the one whose form is read better is kept, if it has as many constants; otherwise the more telling one.
 std::vector<Site> sites_of(const ScannedText& text, const std::vector<KnownSet>& sets,
                            const DigitIndex& index, const ReadSite& read);
+
+/// Where functions begin, in rising order: after `def`, `fn`, `func` and `function`, and at the name of
+/// "float f(float x) {" unless it is a keyword such as if or for.
+std::vector<std::size_t> function_begins(std::string_view text);
 
 /// The sites to keep, by their places, of those that have numbers in common: see `sites_of`.
 std::vector<Site> chosen_sites(std::vector<Site> sites, const ReadSite& read);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include "fit/input/bounded_file.hpp"
@@ -69,22 +70,9 @@ struct FoundPath {
   }
 };
 
-/// The names below a folder, given by its absolute path, that are read: see git_files().
-struct ListedFiles {
-  std::string folder;
-  std::vector<std::string> names;
-
-  /// Whether a file is listed, or a file of a folder.
-  bool has(const FoundPath& place) const {
-    const std::string name = place.absolute.substr(folder.size() + (folder.ends_with('/') ? 0 : 1));
-    if (std::ranges::binary_search(names, name)) return true;
-    const auto below = std::ranges::lower_bound(names, name + "/");
-    return below != names.end() && below->starts_with(name + "/");
-  }
-};
-
-/// Empty: all files are read.
-using List = std::shared_ptr<const ListedFiles>;
+/// The absolute names of what is read below a folder: the files of git_files(), and the folders above them.
+/// Null: all files are read.
+using List = std::shared_ptr<const std::unordered_set<std::string>>;
 
 /// A glob with '**' is not exact about the others: there '*' matches '/' too.
 bool matches(std::string glob, const std::string& path) {
@@ -160,7 +148,13 @@ class Search {
           "git is missing or refuses '{0}' (git -C '{0}' ls-files says why): files that it ignores are read",
           folder.path().string()));
     if (!names || names->empty()) return nullptr;
-    return std::make_shared<const ListedFiles>(ListedFiles{folder.absolute, *std::move(names)});
+    const auto listed = std::make_shared<std::unordered_set<std::string>>();
+    for (const std::string& name : *names) {
+      std::string part = folder.below(name).absolute;
+      while (part.size() > folder.absolute.size() && listed->insert(part).second)
+        part.resize(part.rfind('/'));
+    }
+    return listed;
   }
 
   void cannot_read(const fs::path& path, const std::string& reason) {
@@ -185,7 +179,8 @@ class Search {
       if (one.is_symlink(error)) {
         ++tree_.skipped.links;
       } else if (one.is_directory(error)) {
-        if (is_wanted_folder(place, name, list)) walk(place, list && list->has(place) ? list : nullptr);
+        if (is_wanted_folder(place, name, list))
+          walk(place, list && list->contains(place.absolute) ? list : nullptr);
       } else {
         add_found_file(place, name, one.is_regular_file(error), list);
       }
@@ -206,7 +201,7 @@ class Search {
   bool is_ignored(const FoundPath& place, bool is_folder, const List& list) const {
     for (const FolderGlobs& globs : globs_)
       if (is_excluded(globs, place.absolute)) return true;
-    return list ? !list->has(place) : is_folder && place.absolute.ends_with("/build");
+    return list ? !list->contains(place.absolute) : is_folder && place.absolute.ends_with("/build");
   }
 
   void add_found_file(const FoundPath& place, const std::string& name, bool is_regular, const List& list) {

@@ -85,11 +85,10 @@ void compare_tables(const OldTable& old, const CsvTable& after, const std::vecto
                     CheckedTables& checked) {
   const CsvTable& before = old.table;
   constexpr std::size_t header = 1, first = header + 1;  // lines: no cell has line ends
-  const auto add = [&](const std::string& row, std::size_t line, const std::string& effect) {
-    Drift& drift = checked.drifts.emplace_back();
-    drift = {
-        .file = old.file, .row = row, .effect = effect, .path = old.path, .line = static_cast<long>(line)};
-    return &drift;
+  const auto add = [&](const std::string& row, std::size_t line, const std::string& effect) -> Drift& {
+    checked.drifts.push_back(
+        {.file = old.file, .row = row, .effect = effect, .path = old.path, .line = static_cast<long>(line)});
+    return checked.drifts.back();
   };
   const auto old_keys = keys_of(before), new_keys = keys_of(after);
   for (std::size_t i = 0; i < after.rows.size(); ++i) {
@@ -106,7 +105,7 @@ void compare_tables(const OldTable& old, const CsvTable& after, const std::vecto
       const bool is_of_a_curve = !origins.empty() && after.columns[j] == "fitted";
       const auto change = change_of(from, to);
       const auto effect = is_of_a_curve ? curve_effect(origins[i], from) : std::nullopt;
-      Drift& drift = *add(new_keys[i], first + row, effect.value_or(plain_effect(change, to)));
+      Drift& drift = add(new_keys[i], first + row, effect.value_or(plain_effect(change, to)));
       drift.column = after.columns[j];
       drift.before = from;
       drift.after = to;
@@ -204,12 +203,12 @@ findings::FindingReport drift_findings(const CheckedTables& checked,
         {.rule = rule,
          .level = is_failing(drift, fail_above) ? FindingLevel::error : FindingLevel::note,
          .message = message_of(drift),
-         .place = findings::FindingPlace{.path = drift.path, .line = drift.line},
+         .place = {.path = drift.path, .line = drift.line},
          .fingerprint = fmt::format("{} {} {}{}{}", rule, drift.file, drift.row,
                                     drift.column.empty() ? "" : " ", drift.column)});
   }
   std::ranges::stable_sort(report.findings, [](const auto& a, const auto& b) {
-    return std::tie(a.place->path, a.place->line) < std::tie(b.place->path, b.place->line);
+    return std::tie(a.place.path, a.place.line) < std::tie(b.place.path, b.place.line);
   });
   return report;
 }

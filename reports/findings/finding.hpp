@@ -24,7 +24,7 @@ struct Finding {
   std::string rule;  ///< the id of a `FindingRule`
   FindingLevel level = FindingLevel::error;
   std::string message;  ///< one sentence
-  std::optional<FindingPlace> place = {};
+  FindingPlace place = {};
   std::string fingerprint = {};                ///< the same for the same finding when lines move
   std::optional<std::string> suppressed = {};  ///< the reason; such a finding fails nothing
   bool is_known = false;                       ///< in the baseline: "unchanged", else "new"
@@ -77,8 +77,8 @@ constexpr std::string_view name(FindingLevel level) {
   return names[static_cast<std::size_t>(level)];
 }
 
-/// The rule of a finding, or null.
-const FindingRule* rule_of(const FindingReport& report, const Finding& finding);
+/// The rule of a finding, which the report has.
+const FindingRule& rule_of(const FindingReport& report, const Finding& finding);
 
 std::string findings_json(const FindingReport& report);
 std::string findings_sarif(const FindingReport& report);

@@ -20,11 +20,11 @@ FindingJson known_number(long number) {
 }
 
 FindingJson finding_json(const Finding& finding) {
-  const FindingPlace place = finding.place.value_or(FindingPlace{});
+  const FindingPlace& place = finding.place;
   return {{"rule", finding.rule},
           {"level", name(finding.level)},
           {"message", finding.message},
-          {"path", finding.place ? FindingJson(place.path) : FindingJson()},
+          {"path", place.path},
           {"line", known_number(place.line)},
           {"column", known_number(place.column)},
           {"end_line", known_number(place.end_line)},
@@ -58,12 +58,11 @@ FindingJson location_json(const FindingPlace& place) {
 }
 
 FindingJson result_json(const FindingReport& report, const Finding& finding) {
-  FindingJson result{{"ruleId", finding.rule}};
-  if (const FindingRule* rule = rule_of(report, finding)) result["ruleIndex"] = rule - report.rules.data();
-  result["level"] = name(finding.level);
-  result["message"] = {{"text", finding.message}};
-  result["locations"] = FindingJson::array();
-  if (finding.place) result["locations"].push_back(location_json(*finding.place));
+  FindingJson result{{"ruleId", finding.rule},
+                     {"ruleIndex", &rule_of(report, finding) - report.rules.data()},
+                     {"level", name(finding.level)},
+                     {"message", {{"text", finding.message}}},
+                     {"locations", FindingJson::array({location_json(finding.place)})}};
   if (!finding.fingerprint.empty()) result["partialFingerprints"] = {{"shadefit/v1", finding.fingerprint}};
   result["baselineState"] = finding.is_known ? "unchanged" : "new";
   // 3.27.23: either all results have the list, or none.

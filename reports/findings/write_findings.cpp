@@ -56,9 +56,8 @@ std::vector<const Finding*> found(const FindingReport& report) {
 std::string findings_text(const FindingReport& report) {
   std::string text;
   for (const Finding* finding : found(report)) {
-    const std::string place = finding->place ? place_text(*finding->place) + ": " : "";
-    text += fmt::format("{}{}: {} [{}]\n", printable(place), name(finding->level), one_line(finding->message),
-                        finding->rule);
+    text += fmt::format("{}: {}: {} [{}]\n", printable(place_text(finding->place)), name(finding->level),
+                        one_line(finding->message), finding->rule);
   }
   return text + summary_of(report) + "\n";
 }
@@ -87,15 +86,12 @@ std::string command_of(const FindingReport& report, const Finding& finding) {
   const auto add_number = [&](const char* key, long value) {
     if (value > 0) add(key, fmt::format("{}", value));
   };
-  if (finding.place) {
-    add("file", finding.place->path);
-    add_number("line", finding.place->line);
-    add_number("endLine", finding.place->end_line);
-    add_number("col", finding.place->column);
-    add_number("endColumn", finding.place->end_column);
-  }
-  const FindingRule* rule = rule_of(report, finding);
-  add("title", rule == nullptr ? finding.rule : rule->title);
+  add("file", finding.place.path);
+  add_number("line", finding.place.line);
+  add_number("endLine", finding.place.end_line);
+  add_number("col", finding.place.column);
+  add_number("endColumn", finding.place.end_column);
+  add("title", rule_of(report, finding).title);
   const std::string_view level = finding.level == FindingLevel::note ? "notice" : name(finding.level);
   return fmt::format("::{}{}::{} [{}]\n", level, properties, command_data(finding.message, false),
                      command_data(finding.rule, false));
@@ -128,7 +124,7 @@ std::string finding_table(const std::vector<const Finding*>& findings, bool has_
   if (has_reasons) table.columns.emplace_back("reason");
   for (const Finding* finding : findings) {
     auto& row = table.rows.emplace_back();
-    row = {std::string(name(finding->level)), short_cell(finding->place ? place_text(*finding->place) : ""),
+    row = {std::string(name(finding->level)), short_cell(place_text(finding->place)),
            short_cell(finding->rule), short_cell(finding->message)};
     if (has_reasons) row.emplace_back(short_cell(*finding->suppressed));
   }
@@ -175,9 +171,8 @@ FindingCounts count(const FindingReport& report) {
   return counts;
 }
 
-const FindingRule* rule_of(const FindingReport& report, const Finding& finding) {
-  const auto found = std::ranges::find(report.rules, finding.rule, &FindingRule::id);
-  return found == report.rules.end() ? nullptr : &*found;
+const FindingRule& rule_of(const FindingReport& report, const Finding& finding) {
+  return *std::ranges::find(report.rules, finding.rule, &FindingRule::id);
 }
 
 std::string write_findings(const FindingReport& report, FindingFormat format) {

@@ -32,12 +32,6 @@ std::string text(const Cell& cell, Precision precision) {
   return "";
 }
 
-Table with_column(Table table, const std::string& column, const std::string& text) {
-  table.columns.push_back(column);
-  for (auto& row : table.rows) row.emplace_back(text);
-  return table;
-}
-
 Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,
                           Precision precision) {
   Table result = table;

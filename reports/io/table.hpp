@@ -24,11 +24,6 @@ inline constexpr int all_digits = 17;
 /// escapes for its place.
 using Cell = std::variant<std::monostate, std::string, long, Number, OthersText>;
 
-/// Whether a cell has words.
-inline bool has_words(const Cell& cell) {
-  return std::holds_alternative<std::string>(cell) || std::holds_alternative<OthersText>(cell);
-}
-
 /// A number with all digits.
 inline Cell all_of(double value) {
   return Number{value, all_digits};
@@ -49,9 +44,6 @@ enum class Precision {
 std::string text(const Cell& cell, Precision precision);
 
 Cell word(std::string_view text);
-
-/// The table with one more column, of the same text in each row.
-Table with_column(Table table, const std::string& column, const std::string& text);
 
 /// The table with `count` columns from `first` on as one column of texts: "a = 1, b = 2".
 Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,

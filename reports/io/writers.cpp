@@ -58,7 +58,11 @@ std::vector<std::size_t> widths(const Table& table, const Texts& rows, std::size
 std::vector<bool> numeric_columns(const Table& table) {
   std::vector<bool> are_numeric(table.columns.size(), true);
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) are_numeric[i] = are_numeric[i] && !has_words(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool has_words =
+          std::holds_alternative<std::string>(row[i]) || std::holds_alternative<OthersText>(row[i]);
+      are_numeric[i] = are_numeric[i] && !has_words;
+    }
   }
   return are_numeric;
 }

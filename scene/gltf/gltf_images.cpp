@@ -22,6 +22,16 @@ std::optional<std::filesystem::path> file_of_uri(const JsonPlace& place,
   });
 }
 
+std::string content_of(const JsonPlace& uri, const std::filesystem::path& folder) {
+  const auto file = file_of_uri(uri, folder);
+  return at_place(words_of(uri),
+                  [&] { return file ? read_bounded(*file, most_picture_bytes) : data_of_uri(text_at(uri)); });
+}
+
+JsonPlace buffer_of(const JsonPlace& view, const JsonPlace& root) {
+  return indexed_element(required_member(view, "buffer"), root, "buffers");
+}
+
 }  // namespace
 
 GltfImages::GltfImages(const JsonPlace& root, const std::optional<std::string_view>& binary,
@@ -54,27 +64,17 @@ TextureReading GltfImages::read_image(const JsonPlace& image, std::span<const Ch
   const auto uri = member(image, "uri"), view = member(image, "bufferView");
   if (uri.has_value() == view.has_value()) refuse(image, "it must have a uri or a bufferView, and not both");
   const auto place = view ? std::optional(indexed_element(*view, root_, "bufferViews")) : std::nullopt;
-  const auto source = place ? member(buffer_of(*place), "uri") : uri;
+  const auto source = place ? member(buffer_of(*place, root_), "uri") : uri;
   if (source) {
     if (std::string reason = reason_unknown(*source); !reason.empty()) return {{}, std::move(reason)};
   }
-  const std::string encoded = place ? bytes_of_view(*place) : content_of(*uri);
+  const std::string encoded = place ? bytes_of_view(*place) : content_of(*uri, folder_);
   if (picture_format(encoded) == PictureFormat::other) {
     const bool is_file = uri && !is_data(text_at(*uri));
     const std::string name = is_file ? fmt::format("'{}'", text_at(*uri)) : image.pointer;
     return {{}, name + " is neither PNG nor JPEG"};
   }
   return at_place(words_of(image), [&] { return TextureReading{pictures_.ranges(encoded, channels), {}}; });
-}
-
-std::string GltfImages::content_of(const JsonPlace& uri) const {
-  const auto file = file_of_uri(uri, folder_);
-  return at_place(words_of(uri),
-                  [&] { return file ? read_bounded(*file, most_picture_bytes) : data_of_uri(text_at(uri)); });
-}
-
-JsonPlace GltfImages::buffer_of(const JsonPlace& view) const {
-  return indexed_element(required_member(view, "buffer"), root_, "buffers");
 }
 
 const std::string& GltfImages::data_of_buffer(const JsonPlace& buffer, std::string_view uri) {
@@ -86,7 +86,7 @@ const std::string& GltfImages::data_of_buffer(const JsonPlace& buffer, std::stri
 
 std::string GltfImages::bytes_of_view(const JsonPlace& view) {
   const JsonPlace length_place = required_member(view, "byteLength");
-  const JsonPlace buffer = buffer_of(view);
+  const JsonPlace buffer = buffer_of(view, root_);
   const auto offset_place = member(view, "byteOffset");
   const std::size_t offset = offset_place ? whole_number(*offset_place) : 0,
                     length = whole_number(length_place);

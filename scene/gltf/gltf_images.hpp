@@ -37,8 +37,6 @@ class GltfImages {
   TextureReading read_image(const JsonPlace& image, std::span<const Channel> channels);
   /// Why the bytes at a URI are unknown; empty if they are there.
   std::string reason_unknown(const JsonPlace& uri) const;
-  std::string content_of(const JsonPlace& uri) const;
-  JsonPlace buffer_of(const JsonPlace& view) const;
   std::string bytes_of_view(const JsonPlace& view);
   const std::string& data_of_buffer(const JsonPlace& buffer, std::string_view uri);
 

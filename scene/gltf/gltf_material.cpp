@@ -6,9 +6,8 @@
 #include <limits>
 
 #include "approx/fresnel.hpp"
+#include "scene/materials/conversions.hpp"
 #include "scene/materials/messages.hpp"
-#include "scene/materials/powers.hpp"
-#include "scene/materials/reflectances.hpp"
 
 namespace shadefit::scene {
 namespace {

@@ -9,9 +9,8 @@
 #include "approx/fresnel.hpp"
 #include "fit/input/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
+#include "scene/materials/conversions.hpp"
 #include "scene/materials/messages.hpp"
-#include "scene/materials/powers.hpp"
-#include "scene/materials/reflectances.hpp"
 #include "scene/materials/uri.hpp"
 
 namespace shadefit::scene {

@@ -24,18 +24,14 @@ constexpr double first_t = 0.05, last_t = 44, step = 1.05;
 constexpr double last_cosine = 1.0 / 2000;
 
 std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
-  std::vector<LobeFitter::Lobe> all, kept;
-  for (const WeightedPower& lobe : lobes) {
-    if (lobe.power.most > 0) all.push_back({lobe.power.most, lobe.factor});
-  }
-  std::ranges::sort(all, {}, &LobeFitter::Lobe::power);
+  std::vector<LobeFitter::Lobe> kept;
   double first = 0;
-  for (const LobeFitter::Lobe& lobe : all) {
-    if (kept.empty() || lobe.power > neighbours * first) {
-      first = lobe.power;
-      kept.push_back(lobe);
-    } else if (lobe.factor > kept.back().factor) {
-      kept.back() = lobe;
+  for (const WeightedPower& lobe : lobes) {
+    if (lobe.power.most > neighbours * first) {
+      first = lobe.power.most;
+      kept.push_back({lobe.power.most, lobe.factor});
+    } else if (!kept.empty() && lobe.factor > kept.back().factor) {
+      kept.back() = {lobe.power.most, lobe.factor};
     }
   }
   return kept;

@@ -16,8 +16,8 @@ class LobeFitter {
     double power, factor;
   };
 
-  /// At least one of `lobes` must have a power above 0. Neighbours within 10 % are merged into the one with
-  /// the largest factor.
+  /// The lobes by rising power, at least one of them above 0. Neighbours within 10 % are merged into the one
+  /// with the largest factor.
   LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale);
 
   /// The offset x in [0, 16] of a Gaussian, by Brent's method. A bright lobe is clamped up to t = n y = log

@@ -23,7 +23,6 @@ struct Lobes {
   bool is_coloured = false;         ///< a reflectance may differ between the channels
 
   bool is_textured() const { return textures.size() > textures.count(PowerTexture::none); }
-  bool are_none() const { return all.empty(); }
   Range range() const;
   bool is_one_power() const { return range().is_constant() && !is_textured(); }
   double largest_factor() const;

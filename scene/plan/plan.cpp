@@ -5,7 +5,7 @@
 
 #include "approx/gloss.hpp"
 #include "fit/support/decimal.hpp"
-#include "scene/materials/powers.hpp"
+#include "scene/materials/conversions.hpp"
 #include "scene/plan/choose_lobe.hpp"
 #include "scene/plan/lobes.hpp"
 
@@ -50,7 +50,7 @@ class Planner {
 
   Plan plan() && {
     decide_materials();
-    if (lobes_.are_none()) {
+    if (lobes_.all.empty()) {
       skip_all();
     } else {
       decide_fresnel();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fit/formula/parse_formula.hpp"
-#include "lint/expression/mutants.hpp"
+#include "lint/expression/compare.hpp"
 #include "lint/expression/source_expression.hpp"
 #include "lint/lint_tree.hpp"
 #include "tests/lint/all_known.hpp"

@@ -14,7 +14,7 @@
 #include "approx/gloss.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
-#include "scene/materials/powers.hpp"
+#include "scene/materials/conversions.hpp"
 #include "scene/plan/lobes.hpp"
 #include "tests/refusal.hpp"
 #include "tests/reports/compilers.hpp"

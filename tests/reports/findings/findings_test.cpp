@@ -45,20 +45,20 @@ FindingReport usual() {
            {"unused", "Nothing breaks this rule", "Nothing to do."}},
           {{.rule = "wrong-constant",
             .message = "-5.55437 is -5.55473 with two digits swapped",
-            .place = FindingPlace{"shaders/fresnel.glsl", 12, 5, 12, 13},
+            .place = {"shaders/fresnel.glsl", 12, 5, 12, 13},
             .fingerprint = "wrong-constant fresnel-quadratic a"},
            {.rule = "unknown-constant",
             .level = FindingLevel::warning,
             .message = "8.35 is in no list",
-            .place = FindingPlace{"shaders/lobe.glsl", 3}},
+            .place = {"shaders/lobe.glsl", 3}},
            {.rule = "wrong-constant",
             .message = "0.22 is 0.25",
-            .place = FindingPlace{"shaders/bayer.glsl", 7, 1, 0, 0},
+            .place = {"shaders/bayer.glsl", 7, 1, 0, 0},
             .is_known = true},
            {.rule = "unknown-constant",
             .level = FindingLevel::note,
             .message = "1.7 is in no list",
-            .place = FindingPlace{"shaders/lobe.glsl", 9},
+            .place = {"shaders/lobe.glsl", 9},
             .suppressed = "measured by us"}},
           812,
           "files"};
@@ -72,7 +72,7 @@ const std::string odd_path = "a b/\xC3\xA9:,%#?\"<\x02\xFF.glsl";
 FindingReport odd() {
   FindingReport report = usual();
   report.findings[0].message = report.rules[0].title = report.rules[0].help = odd_text;
-  report.findings[0].place->path = odd_path;
+  report.findings[0].place.path = odd_path;
   report.findings[0].fingerprint = odd_text;
   report.findings[3].suppressed = odd_text;
   return report;
@@ -128,9 +128,7 @@ TEST(Findings, AsJson) {
 }
 
 TEST(Findings, AsSarifByTheSchemaOfTheStandard) {
-  FindingReport without_places = usual();
-  for (Finding& finding : without_places.findings) finding.place.reset();
-  for (const FindingReport& report : {usual(), odd(), none(), without_places}) {
+  for (const FindingReport& report : {usual(), odd(), none()}) {
     const Reader reader = read_by_python(write_findings(report, FindingFormat::sarif));
     EXPECT_EQ(reader.exit_code, 0) << reader.said;
   }
@@ -158,7 +156,7 @@ TEST(Findings, SarifHasWhatCodeHostsRead) {
 TEST(Findings, APlaceWithoutALineIsTheFirst) {
   FindingReport report = usual();
   report.findings.resize(1);
-  report.findings[0].place = FindingPlace{"proof.json"};
+  report.findings[0].place = {"proof.json"};
   const Json log = Json::parse(write_findings(report, FindingFormat::sarif));
   EXPECT_EQ(log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"],
             Json::parse(R"({"startLine": 1})"))
@@ -170,7 +168,7 @@ TEST(Findings, APlaceWithoutALineIsTheFirst) {
 TEST(Findings, PathsOfSarifAreUris) {
   const auto artifact_of = [](const std::string& path) {
     FindingReport report = usual();
-    report.findings[0].place->path = path;
+    report.findings[0].place.path = path;
     const Json log = Json::parse(write_findings(report, FindingFormat::sarif));
     return log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"];
   };
@@ -197,7 +195,7 @@ TEST(Findings, WorkflowCommandsAreEscaped) {
   FindingReport report = usual();
   report.findings.resize(1);
   report.findings[0].message = "50 %\r\nat a:b,c\x1b";
-  report.findings[0].place = FindingPlace{"a,b:c%.glsl", 1};
+  report.findings[0].place = {"a,b:c%.glsl", 1};
   report.rules[0].title = "x: y, z\n";
   EXPECT_EQ(write_findings(report, FindingFormat::github),
             "::error file=a%2Cb%3Ac%25.glsl,line=1,title=x%3A y%2C z%0A::50 %25%0D%0Aat a:b,c\\x1b "
