@@ -37,11 +37,6 @@ struct LintOptions {
 /// a line for each study that cannot be read.
 lint::KnownConstants known_constants(const StudyFolders& given, std::vector<std::string>* refused = nullptr);
 
-/// `shadefit explain 5.55473`: the constants with these digits that `lint` knows, and the claims that print
-/// them. Without any: the constants that differ by a digit. Empty if the text of the options is not a number.
-/// Throws UserError if no constant has it.
-std::optional<Outcome> explain_number(const ExplainOptions& options);
-
 void declare_lint(CLI::App& lint, LintOptions& options);
 
 /// Exit code 1 if a site has a grade that fails: with `fix`, after it; with `diff`, if there is one. Throws
