@@ -1,31 +1,16 @@
 #include "fit/catalogue/catalogue_study.hpp"
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "approx/cosine.hpp"
 #include "fit/catalogue/fit_study.hpp"
 #include "fit/catalogue/near_peak.hpp"
-#include "fit/squares/rules.hpp"
-#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
 
 namespace shadefit {
-
-std::optional<CosineRange> ends_of(const Family& family, const Setting& setting, const Domain& domain,
-                                   Error error) {
-  const Cosine<double> top{domain.upper, 1 - domain.upper};
-  Cosine<double> bottom{domain.lower, 1 - domain.lower};
-  if (error == Error::absolute || family.is_fresnel) return CosineRange{top, bottom};
-  const auto visible_end = where_lobe_is_visible(setting.exponent);
-  if (!visible_end) return std::nullopt;
-  if (visible_end->cos_theta >= domain.lower) bottom = *visible_end;
-  if (bottom.one_minus_cos <= top.one_minus_cos) return std::nullopt;
-  return CosineRange{top, bottom};
-}
 
 Study fresnel_study(const Surface& surface, Error error) {
   const bool is_metal = surface.extinction > 0;
@@ -48,7 +33,15 @@ Study fresnel_study(const Surface& surface, Error error) {
   return study;
 }
 
-Study study_of(const Family& family, const Setting& setting, const Metric& metric, const CosineRange& ends) {
+std::optional<Study> study_of(const Family& family, const Setting& setting, const Metric& metric) {
+  const auto [lower, upper] = metric.domain;
+  Cosine<double> bottom{lower, 1 - lower};
+  if (metric.error == Error::relative && !family.is_fresnel) {
+    const auto visible_end = where_lobe_is_visible(setting.exponent);
+    if (!visible_end) return std::nullopt;
+    if (visible_end->cos_theta >= lower) bottom = *visible_end;
+    if (bottom.one_minus_cos <= 1 - upper) return std::nullopt;
+  }
   Study study = family.study;
   if (family.is_fresnel) {
     study = fresnel_study_to_fit(setting.surface, metric.error);
@@ -57,8 +50,8 @@ Study study_of(const Family& family, const Setting& setting, const Metric& metri
     study.given["k"] = hex_text(setting.exponent);
     study.error = metric.error;
   }
-  study.over = {{"c", hex_text(ends.second.cos_theta), hex_text(ends.first.cos_theta),
-                 density_of(std::string(name(metric.measure)), "c")}};
+  study.over = {
+      {"c", hex_text(bottom.cos_theta), hex_text(upper), density_of(std::string(name(metric.measure)), "c")}};
   study.held = metric.constraints.held;
   study.known_starts = family.starts_of(setting);
   if (metric.weight.empty()) return study;
@@ -76,19 +69,6 @@ Study fresnel_study_to_fit(const Surface& surface, Error error) {
 void multiply_weight(Study& study, const std::string& weight) {
   if (weight.empty()) return;
   study.weight = study.weight == "1" ? weight : "(" + weight + ") (" + study.weight + ")";
-}
-
-double scale_of_weight(const Study& study, const std::string& weight) {
-  if (weight.empty()) return 1;
-  Study square = near_peak(study);
-  square.target = "0 " + study.over.front().variable;  // a target has a variable
-  square.form = weight;
-  square.weight = "1";
-  square.residual.clear();
-  square.held.clear();
-  square.error = Error::absolute;
-  const ReadStudy read = read_formulas(square);
-  return rms_error(read, StudyError(read), {});
 }
 
 }  // namespace shadefit

@@ -12,56 +12,19 @@
 namespace shadefit {
 namespace {
 
-/// The given values of a metric by the places of their parameters.
-std::vector<std::optional<double>> given_parameters(const Family& family, const Constraints& constraints) {
-  std::vector<std::optional<double>> given(family.parameters.size());
-  for (const Held& held : constraints.held) given[parameter_index(family, held.parameter)] = held.value;
-  return given;
-}
-
-/// Takes the fit of a study, whose free parameters are those without a given value.
-void take(Fit& fit, const StudyFit& found, const std::vector<std::optional<double>>& given) {
-  fit.status = found.status;
-  fit.digits = found.digits;
-  fit.level = found.level;
-  fit.why = found.why;
-  auto next = found.parameters.begin();
-  for (std::size_t i = 0; i < given.size(); ++i)
-    fit.parameters[i] = given[i] ? *given[i] : next != found.parameters.end() ? *next++ : 0;
-  fit.alternation.assign(found.alternation.rbegin(), found.alternation.rend());  // from the peak down
-}
-
-void solve(Fit& fit) {
-  const Family& family = *fit.family;
-  const Setting setting = setting_of(fit);
-  const Metric& metric = fit.metric;
-  const auto ends = ends_of(family, setting, metric.domain, metric.error);
-  if (!ends) {
-    fit.status = Status::not_finite;
-    fit.why = "a relative error has no meaning on this domain";
-    return;
-  }
-  const StudyObjective asked{.study = study_of(family, setting, metric, *ends),
-                             .norm = metric.norm,
-                             .constraints = metric.constraints};
-  StudyFit found;
+/// The fit of the study of a family, or why there is none.
+StudyFit solved(const Family& family, const Setting& setting, const Metric& metric) {
+  StudyFit fit;
   try {
-    found = fit_constants(asked);
-    fit.rms_error = found.rms_error / scale_of_weight(asked.study, metric.weight);
+    if (const auto study = study_of(family, setting, metric))
+      return fit_constants({.study = *study, .norm = metric.norm, .constraints = metric.constraints});
+    fail(fit, Status::not_finite, "a relative error has no meaning on this domain");
   } catch (const Infeasible& error) {
-    fail(found, Status::infeasible, error.why);
+    fail(fit, Status::infeasible, error.why);
   } catch (const UserError& error) {
-    fail(found, Status::not_finite, error.what());
+    fail(fit, Status::not_finite, error.what());
   }
-  take(fit, found, given_parameters(family, metric.constraints));
-}
-
-/// What a relative error is relative to.
-std::string denominator_of(const Family& family, const Surface& surface) {
-  if (!family.is_fresnel) return "target >= 1/255";
-  if (!surface.is_named())
-    return "F = f0 + (1 - f0) f, f0 = " + (surface.f0 ? to_text(*surface.f0) : std::string(reference_f0));
-  return surface.is_exact() ? "the exact F" : "Schlick's F, f0 of the surface";
+  return fit;
 }
 
 }  // namespace
@@ -91,23 +54,27 @@ std::vector<std::vector<Held>> Family::starts_of(const Setting& setting) const {
 }
 
 Fit Family::fit(const Setting& setting, const Metric& metric) const {
-  Fit result{.parameters = std::vector<double>(parameters.size()), .family = this, .metric = metric};
-  if (has_exponent()) result.exponent = setting.exponent;
-  if (is_fresnel) result.surface = setting.surface;
-  solve(result);
-  result.relative_to = denominator_of(*this, setting.surface);
-  if (result.status != Status::converged) return result;
-  add_errors(result);
-  if (const auto defined = relative_domain(setting, metric.domain)) {
-    result.relative_domain = *defined;
-  } else {
-    result.relative_to = "nothing: the target is nowhere between 1/255 and what a double can reach";
-  }
-  const bool is_relative = metric.error == Error::relative;
-  result.why = contradiction_of(result.rms_error, is_relative ? result.max_rel_error.value().magnitude
-                                                              : result.max_abs_error.magnitude);
-  if (!result.why.empty()) result.status = Status::not_converged;
-  return result;
+  const StudyFit found = solved(*this, setting, metric);
+  Fit fit{.parameters = found.parameters,
+          .status = found.status,
+          .digits = found.digits,
+          .rms_error = found.rms_error,
+          .level = found.level,
+          .alternation = found.alternation,
+          .why = found.why,
+          .family = this,
+          .metric = metric};
+  if (has_exponent()) fit.exponent = setting.exponent;
+  if (is_fresnel) fit.surface = setting.surface;
+  if (fit.status != Status::converged) return fit;
+  const Metric plain{.domain = metric.domain, .constraints = metric.constraints};
+  fit.max_abs_error = largest_error(setting, plain, fit.parameters);
+  const bool is_plain = metric.error == Error::absolute && metric.weight.empty();
+  fit.why = contradiction_of(
+      fit.rms_error,
+      (is_plain ? fit.max_abs_error : largest_error(setting, metric, fit.parameters)).magnitude);
+  if (!fit.why.empty()) fit.status = Status::not_converged;
+  return fit;
 }
 
 }  // namespace shadefit

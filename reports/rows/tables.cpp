@@ -31,9 +31,10 @@ PublishedCells published_cells(const Refit& refit, const FitReport* report, std:
       if (i != parameter && is_same_source) parameters[i] = constant<double>(other.published->printed);
     }
     parameters[parameter] = printed;
-    cells.max_abs_error =
-        converged(refit.family->max_abs_error(setting_of(report->fit), report->fit.metric.domain, parameters)
-                      .magnitude);
+    cells.max_abs_error = converged(
+        refit.family
+            ->largest_error(setting_of(report->fit), {.domain = report->fit.metric.domain}, parameters)
+            .magnitude);
   }
   return cells;
 }

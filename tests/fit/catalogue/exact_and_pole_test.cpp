@@ -18,12 +18,12 @@ const Family& rational() {
 // The pole at c = 0.5 has no width that a search could see: 1 + a c is 0 between any two of its places.
 TEST(Pole, AnErrorWithAPoleIsInfinite) {
   const std::array a{-2.0};
-  const Extremum absolute = rational().max_abs_error({}, {}, a),
-                 relative = rational().max_rel_error({}, {}, a).value();
+  const Extremum absolute = rational().largest_error({}, {}, a),
+                 relative = rational().largest_error({}, {.error = Error::relative}, a);
   EXPECT_EQ(absolute.magnitude, HUGE_VAL);
   EXPECT_EQ(relative.magnitude, HUGE_VAL);
   EXPECT_DOUBLE_EQ(absolute.at.cos_theta, 0.5);
-  EXPECT_LT(rational().max_abs_error({}, {0, 0.4}, a).magnitude, 10);
+  EXPECT_LT(rational().largest_error({}, {.domain = {0, 0.4}}, a).magnitude, 10);
 }
 
 void expect_border(const Surface& surface, const Metric& metric) {
@@ -52,7 +52,7 @@ TEST(Pole, NearTheBorderTheOptimumIsFound) {
     EXPECT_GT(fit.parameters[0], -1.25) << ior;
     for (const double share : {0.999, 1.001}) {
       const std::array beside{-1.25 + share * (fit.parameters[0] + 1.25)};
-      EXPECT_GT(rational().max_abs_error({0, exact_surface(ior)}, metric.domain, beside).magnitude,
+      EXPECT_GT(rational().largest_error({0, exact_surface(ior)}, metric, beside).magnitude,
                 fit.level.value())
           << ior;
     }
