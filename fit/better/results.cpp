@@ -197,16 +197,13 @@ bool all_checks_passed(const Results& results) {
   return converged && linked && confirmed && exact && judged && proven;
 }
 
-std::string which_fit(const Fit& fit) {
-  return std::string(fit.family->id) + (fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "");
-}
-
 std::string not_converged_lines(const Refit& refit) {
   std::string lines;
-  for (const FitReport& report : refit.fits) {
-    if (report.fit.status == Status::converged) continue;
-    lines += fmt::format("shadefit: {} did not converge: {}{}\n", which_fit(report.fit),
-                         name(report.fit.status), report.fit.why.empty() ? "" : ": " + report.fit.why);
+  for (const auto& [fit, assessments] : refit.fits) {
+    if (fit.status == Status::converged) continue;
+    lines += fmt::format("shadefit: {}{} did not converge: {}: {}\n", fit.family->id,
+                         fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "", name(fit.status),
+                         fit.why);
   }
   return lines;
 }

@@ -39,7 +39,6 @@ Effect effect_of_replacing(FitCache& fits, const Published& published, const Met
 
 bool is_meant_for(const Published& published, const Fit& fit) {
   return published.family == fit.family->id && published.statement == Statement::best_fit &&
-         !fit.surface.is_named() &&
          (!fit.exponent || exponents_of(published) == std::vector<double>{*fit.exponent});
 }
 
@@ -158,24 +157,6 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
                     effect_of_replacing(fits, published, metric, *computed)};
 }
 
-std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
-                                      std::span<const Metric> under, const Checkpoint& checkpoint) {
-  std::vector<FitReport> reports;
-  for (const Metric& metric : under) {
-    for (const Setting& setting : settings) {
-      checkpoint();
-      FitReport report{fits.at(setting, metric), {}};
-      for (const Published& published : published_constants()) {
-        if (!is_meant_for(published, report.fit)) continue;
-        const auto assessment = assess(fits, published, metric);
-        if (assessment) report.assessments.push_back(*assessment);
-      }
-      reports.push_back(std::move(report));
-    }
-  }
-  return reports;
-}
-
 std::vector<double> exponents_needed_by(const Published& published, const Family& family) {
   if (family.sweep.empty()) return {};
   return published.statement == Statement::fit_somewhere ? parse_sweep(family.sweep)
@@ -193,10 +174,20 @@ Refit refit(FitCache& fits, std::vector<double> exponents, std::vector<const Pub
   std::ranges::sort(exponents);
   exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
 
-  const std::vector<Setting> settings = family.has_exponent()
-                                            ? std::vector<Setting>(exponents.begin(), exponents.end())
-                                            : std::vector<Setting>{{}};
-  Refit result{&family, std::move(numbers), fit_and_assess(fits, settings, under, checkpoint), {}};
+  if (!family.has_exponent()) exponents = {0};
+  Refit result{&family, std::move(numbers), {}, {}};
+  for (const Metric& metric : under) {
+    for (const double exponent : exponents) {
+      checkpoint();
+      FitReport report{fits.at(exponent, metric), {}};
+      for (const Published& published : published_constants()) {
+        if (!is_meant_for(published, report.fit)) continue;
+        const auto assessment = assess(fits, published, metric);
+        if (assessment) report.assessments.push_back(*assessment);
+      }
+      result.fits.push_back(std::move(report));
+    }
+  }
   for (const Published* number : result.numbers) {
     if (number->statement == Statement::best_fit) continue;
     for (const Metric& metric : under) {

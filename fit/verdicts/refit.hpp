@@ -75,12 +75,6 @@ class Fits {
   std::map<const Family*, FitCache> caches_;
 };
 
-/// Fits the family at each setting under each of `under`, and judges the published numbers for those fits.
-/// The checkpoint is called before each fit.
-std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
-                                      std::span<const Metric> under,
-                                      const Checkpoint& checkpoint = keep_going);
-
 /// Fits the cache's family at the exponents and at those of the published `numbers`, in rising order, and
 /// judges the numbers, including means and limits of fits. The checkpoint is called
 /// before each fit and each mean or limit.

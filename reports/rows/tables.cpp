@@ -48,18 +48,9 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
   row.insert(row.end(), cells);
 }
 
-/// "least-squares", and the unusual parts of the objective: "minimax, relative error, b = -7".
-std::string norm_text(const Metric& metric) {
-  std::string text(name(metric.norm));
-  if (metric.error != Error::absolute) text += fmt::format(", {} error", name(metric.error));
-  if (!metric.weight.empty()) text += ", weight " + metric.weight;
-  return text + describe(metric.constraints);
-}
-
-void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
-                   const std::string& target) {
-  append(row, {target, to_text(refit.family->form), to_text(metric.domain), word(name(metric.measure)),
-               norm_text(metric)});
+void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric) {
+  append(row, {to_text(refit.family->target), to_text(refit.family->form), to_text(metric.domain),
+               word(name(metric.measure)), word(name(metric.norm))});
 }
 
 void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, std::size_t parameter,
@@ -70,7 +61,7 @@ void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, st
   auto row = row_start(refit, std::string(refit.family->parameters[parameter]), fit.exponent);
   append(row, {cells.published, is_answer ? converged(fit.parameters[parameter]) : Cell(), cells.deviation,
                is_answer ? cells.verdict : word(name(fit.status))});
-  append_metric(row, refit, fit.metric, target_of(fit));
+  append_metric(row, refit, fit.metric);
   if (is_answer)
     append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
                  place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
@@ -93,7 +84,7 @@ void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& asses
   auto row = row_start(refit, derived_parameter(*assessment.published),
                        range ? std::optional(range->exactly) : std::nullopt);
   append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
-  append_metric(row, refit, assessment.metric, to_text(refit.family->target));
+  append_metric(row, refit, assessment.metric);
   append(row, {{}, {}, {}, {}, {}, cells.source});
   out.table.rows.push_back(row);
   out.origins.push_back({&refit, nullptr, 0});
@@ -190,20 +181,6 @@ Table summary_table(const Results& results) {
          {}});
   }
   return table;
-}
-
-std::string target_of(const Family& family, const Surface& surface) {
-  const std::string formula = to_text(family.target);
-  if (!surface.is_named()) return formula;
-  const std::string index = surface.extinction == 0
-                                ? fmt::format("n = {}", surface.ior)
-                                : fmt::format("n = {}, k = {}", surface.ior, surface.extinction);
-  if (!surface.is_exact()) return fmt::format("{}, f0 of {}", formula, index);
-  return fmt::format("exact {} {}", surface.extinction == 0 ? "dielectric" : "conductor", index);
-}
-
-std::string target_of(const Fit& fit) {
-  return target_of(*fit.family, fit.surface);
 }
 
 }  // namespace shadefit
