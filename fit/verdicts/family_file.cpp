@@ -21,7 +21,7 @@ PublishedSet set_of(const Family& family, const Published& number) {
       .values = *number.curve,
       .source = fmt::format("{} {}, {}", number.source.author, number.source.year, number.source.title)};
   set.is_stated_fit = number.statement == Statement::best_fit;
-  if (family.has_exponent()) set.given = {{"k", std::string(number.exponents)}};
+  if (family.has_exponent()) set.given = {{"k", number.exponents}};
   return set;
 }
 

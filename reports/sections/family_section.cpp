@@ -167,8 +167,7 @@ std::string variants_section(const Refit& refit) {
       auto from = best.parameters, to = from;
       from[i] = constant<double>(published.printed);
       to[i] = constant<double>(variant.printed);
-      table.rows.push_back({std::string(published.id), std::string(published.printed),
-                            std::string(variant.printed), std::string(variant.seen_in),
+      table.rows.push_back({published.id, published.printed, variant.printed, variant.seen_in,
                             sentence(family.effect(setting_of(best), best.metric.domain, from, to))});
     }
   }
