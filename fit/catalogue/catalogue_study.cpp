@@ -30,6 +30,8 @@ Study fresnel_study(const Surface& surface, Error error) {
   }
   if (surface.is_named()) study.given["n"] = to_text(surface.ior);
   if (is_metal) study.given["k"] = to_text(surface.extinction);
+  study.cuts.emplace();
+  if (const auto cut = end_of_fall(surface)) study.cuts->push_back(*cut);
   return study;
 }
 
@@ -44,7 +46,7 @@ std::optional<Study> study_of(const Family& family, const Setting& setting, cons
   }
   Study study = family.study;
   if (family.is_fresnel) {
-    study = fresnel_study_to_fit(setting.surface, metric.error);
+    study = fresnel_study(setting.surface, metric.error);
     study.form = family.study.form;
   } else {
     study.given["k"] = hex_text(setting.exponent);
@@ -57,13 +59,6 @@ std::optional<Study> study_of(const Family& family, const Setting& setting, cons
   if (metric.weight.empty()) return study;
   multiply_weight(study, metric.weight);
   return family.is_fresnel ? with_cuts(std::move(study)) : study;
-}
-
-Study fresnel_study_to_fit(const Surface& surface, Error error) {
-  Study study = fresnel_study(surface, error);
-  study.cuts.emplace();
-  if (const auto cut = end_of_fall(surface)) study.cuts->push_back(*cut);
-  return study;
 }
 
 void multiply_weight(Study& study, const std::string& weight) {

@@ -15,11 +15,9 @@ namespace shadefit {
 std::optional<Study> study_of(const Family& family, const Setting& setting, const Metric& metric);
 
 /// Target and weight of a Fresnel form for a surface, over c. Without a named surface an absolute error is
-/// that of the weight, for every f0; else errors are those of the reflectance.
+/// that of the weight, for every f0; else errors are those of the reflectance. The range is cut where the
+/// target has fallen.
 Study fresnel_study(const Surface& surface, Error error);
-
-/// The same for a fit: the range is cut where the target has fallen.
-Study fresnel_study_to_fit(const Surface& surface, Error error);
 
 /// Multiplies the weight of a study by another. An empty one changes nothing.
 void multiply_weight(Study& study, const std::string& weight);

@@ -18,13 +18,12 @@ const MoreKeys keys_of_families{
     .of_form = {"near_peak", "title", "variables", "is_comparison", "starts", "starts_inside"},
     .of_published = {"id", "statement", "sweep", "convention"}};
 
-/// The value of a word.
-template <class T, std::size_t N>
-T named(const TomlReader& reader, const toml::node& node, const std::string& word,
-        const std::array<std::pair<std::string_view, T>, N>& values) {
-  const auto found = std::ranges::find(values, word, &std::pair<std::string_view, T>::first);
-  if (found == values.end()) reader.fail(node, "'" + word + "' is unknown here");
-  return found->second;
+Statement statement_of(const TomlReader& reader, const toml::table& table) {
+  constexpr std::array<std::string_view, 4> words{"best", "mean", "limit", "somewhere"};
+  const std::string word = reader.optional(table, "statement", "best");
+  const auto found = std::ranges::find(words, word);
+  if (found == words.end()) reader.fail(table, "'" + word + "' is unknown here");
+  return static_cast<Statement>(found - words.begin());
 }
 
 /// Points of the search: a formula for each parameter.
@@ -81,19 +80,14 @@ Convention convention_of(const TomlReader& reader, const toml::table& table) {
 /// Appends a record for each number of a published set.
 void append_numbers(const TomlReader& reader, const toml::table& table, const PublishedSet& set,
                     std::vector<Published>& into) {
-  const std::string id = reader.required(table, "id"),
-                    statement = reader.optional(table, "statement", "best");
+  const std::string id = reader.required(table, "id");
   for (const auto& [parameter, printed] : set.values) {
     Published number{
         .id = set.values.size() == 1 ? id : id + "-" + parameter,
         .family = set.form,
         .parameter = parameter,
         .printed = printed,
-        .statement = named<Statement, 4>(reader, table, statement,
-                                         {{{"best", Statement::best_fit},
-                                           {"mean", Statement::mean_of_fits},
-                                           {"limit", Statement::limit_of_fits},
-                                           {"somewhere", Statement::fit_somewhere}}}),
+        .statement = statement_of(reader, table),
         .exponents = set.given.empty() ? reader.optional(table, "sweep") : set.given.front().second,
         .source = source_of(set.cite.value()),
         .curve = &set.values};

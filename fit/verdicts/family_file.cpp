@@ -69,7 +69,7 @@ StudyFile family_file(const Family& family, const Published* published, const Su
                       const std::string& weight) {
   StudyFile file{.id = family.id, .about = family.variables, .study = family.study, .forms = {}};
   if (family.is_fresnel) {
-    file.study = fresnel_study_to_fit(surface, error);
+    file.study = fresnel_study(surface, error);
   } else {
     file.study.given.clear();
     file.study.target = to_text(family.target);

@@ -90,6 +90,11 @@ std::vector<Metric> whole_domain_metrics() {
   return metrics;
 }
 
+namespace {
+
+/// The exponents at which the fitted parameter has the printed value, and the two numbers half a unit of its
+/// last digit away. They are searched between the exponents of the family's sweep. Empty if the parameter
+/// does not cross them.
 std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published,
                                             const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
@@ -114,8 +119,6 @@ std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& pub
   if (!exactly || !one || !other) return std::nullopt;
   return ExponentRange{std::min(*one, *other), std::max(*one, *other), *exactly};
 }
-
-namespace {
 
 /// The other metrics, and the record's convention, against which a published number is judged.
 std::vector<Alternative> alternatives(FitCache& fits, const Published& published, const Metric& metric) {

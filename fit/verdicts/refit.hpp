@@ -94,11 +94,6 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
 /// domain without the peak, the best parameter grows without bound.
 std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
 
-/// The exponents at which the fitted parameter has the printed value, and the two numbers half a unit of its
-/// last digit away. They are searched between the exponents of the family's sweep. Empty if the parameter
-/// does not cross them.
-std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published, const Metric& metric);
-
 /// The exponents of a published number: from k = 1e6 for a limit, {0} if it has none.
 std::vector<double> exponents_of(const Published& published);
 
