@@ -76,12 +76,12 @@ std::vector<double> reach_of_digits(const ReadStudy& study, const std::vector<st
                                     const std::vector<SampledPlace>& places) {
   std::vector<double> values;
   for (const std::string& text : printed) values.push_back(constant<double>(text));
-  const std::vector<double> form = form_at(study, values, places);
+  const std::vector<double> form = values_at(study, study.form, values, places);
   std::vector<double> reach(places.size(), 0.0);
   for (std::size_t k = 0; k < printed.size(); ++k) {
     std::vector<double> moved = values;
     moved[k] += last_unit(printed[k]) / 2;
-    const std::vector<double> other = form_at(study, moved, places);
+    const std::vector<double> other = values_at(study, study.form, moved, places);
     for (std::size_t i = 0; i < places.size(); ++i) reach[i] += std::abs(other[i] - form[i]);
   }
   return reach;
