@@ -6,7 +6,6 @@
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/studies/chosen_study.hpp"
-#include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/round_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/escape.hpp"

@@ -1,4 +1,4 @@
-#include "fit/rounding/evaluate_study.hpp"
+#include "fit/rounding/round_study.hpp"
 
 #include <algorithm>
 #include <concepts>
