@@ -28,7 +28,6 @@ struct Setting {
 
   // A bare exponent is the usual setting.
   constexpr Setting(double exponent_ = 0, Surface surface_ = {}) : exponent(exponent_), surface(surface_) {}
-  auto operator<=>(const Setting&) const = default;
 };
 
 /// The result of a fit: constants, their digits, and the errors of the fitted curve.

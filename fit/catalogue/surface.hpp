@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <optional>
 
 #include "approx/fresnel.hpp"
@@ -21,8 +20,6 @@ struct Surface {
   /// Without a named surface: the reflectance at normal incidence for relative errors. Empty: the
   /// `reference_f0`.
   std::optional<double> f0 = std::nullopt;
-
-  auto operator<=>(const Surface&) const = default;
 
   bool is_named() const { return ior != 0; }
   bool is_exact() const { return formula == Formula::exact; }

@@ -52,10 +52,10 @@ std::vector<const Published*> numbers_of(const Family& family) {
   return numbers;
 }
 
-const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
-  const auto key = std::pair(metric, setting);
+const Fit& FitCache::at(double exponent, const Metric& metric) {
+  const auto key = std::pair(metric, exponent);
   const auto found = fits_.find(key);
-  return found != fits_.end() ? found->second : fits_.emplace(key, fitter_(setting, metric)).first->second;
+  return found != fits_.end() ? found->second : fits_.emplace(key, fitter_(exponent, metric)).first->second;
 }
 
 FitCache& Fits::of(const Family& family) {

@@ -53,17 +53,17 @@ struct Refit {
 /// The fits of one family, each computed once. Not thread-safe.
 class FitCache {
  public:
-  using Fitter = std::function<Fit(const Setting&, const Metric&)>;
+  using Fitter = std::function<Fit(double exponent, const Metric&)>;
 
   explicit FitCache(const Family& family) : FitCache(family, std::bind_front(&Family::fit, &family)) {}
   FitCache(const Family& family, Fitter fitter) : family_(family), fitter_(std::move(fitter)) {}
   const Family& family() const { return family_; }
-  const Fit& at(const Setting& setting, const Metric& metric);
+  const Fit& at(double exponent, const Metric& metric);
 
  private:
   const Family& family_;
   Fitter fitter_;
-  std::map<std::pair<Metric, Setting>, Fit> fits_;
+  std::map<std::pair<Metric, double>, Fit> fits_;
 };
 
 /// The fits of all families, each computed once. The tables and the ledger of a run share one.

@@ -175,8 +175,8 @@ TEST(FitCache, TellsMetricsApart) {
 }
 
 /// A family whose fit fails under the angle measure alone.
-Fit fails_in_the_angle(const Setting& setting, const Metric& metric) {
-  Fit fit = find_family("sg-offset")->fit(setting, metric);
+Fit fails_in_the_angle(double exponent, const Metric& metric) {
+  Fit fit = find_family("sg-offset")->fit(exponent, metric);
   if (metric.measure == Measure::angle) fit.status = Status::not_converged;
   return fit;
 }
