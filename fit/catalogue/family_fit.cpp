@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "fit/catalogue/catalogue_study.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/catalogue/fit_study.hpp"
@@ -28,15 +23,6 @@ StudyFit solved(const Family& family, const Setting& setting, const Metric& metr
 }
 
 }  // namespace
-
-std::string contradiction_of(double rms_error, double largest_error) {
-  constexpr double rounding = 1e-15;  // a few ulps at 1, the largest value of forms and targets
-  if (!std::isfinite(largest_error)) return "the largest error is infinite";
-  // Errors that differ by less count as equal in the search.
-  if (rms_error <= largest_error * (1 + equal_extrema) + rounding) return "";
-  return "the rms error " + to_text(rms_error) + " exceeds the largest error found, " +
-         to_text(largest_error) + ": one of them is wrong";
-}
 
 std::vector<std::vector<Held>> Family::starts_of(const Setting& setting) const {
   const Surface& surface = setting.surface;
@@ -66,14 +52,8 @@ Fit Family::fit(const Setting& setting, const Metric& metric) const {
           .metric = metric};
   if (has_exponent()) fit.exponent = setting.exponent;
   if (is_fresnel) fit.surface = setting.surface;
-  if (fit.status != Status::converged) return fit;
   const Metric plain{.domain = metric.domain, .constraints = metric.constraints};
-  fit.max_abs_error = largest_error(setting, plain, fit.parameters);
-  const bool is_plain = metric.error == Error::absolute && metric.weight.empty();
-  fit.why = contradiction_of(
-      fit.rms_error,
-      (is_plain ? fit.max_abs_error : largest_error(setting, metric, fit.parameters)).magnitude);
-  if (!fit.why.empty()) fit.status = Status::not_converged;
+  if (fit.status == Status::converged) fit.max_abs_error = largest_error(setting, plain, fit.parameters);
   return fit;
 }
 
