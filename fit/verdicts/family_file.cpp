@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/decimal.hpp"

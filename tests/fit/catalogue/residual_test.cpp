@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/fit_study.hpp"
 
 namespace shadefit {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/catalogue/catalogue_study.hpp"
 #include "fit/catalogue/family.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "tests/accuracy.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/squares/prepared_study.hpp"
 #include "fit/stress/numbers.hpp"

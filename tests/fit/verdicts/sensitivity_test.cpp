@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/fit_study.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/squares/rules.hpp"
