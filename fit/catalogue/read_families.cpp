@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "fit/catalogue/read_study_file.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "studies/catalogue_files.hpp"
 
 namespace shadefit {
 namespace {
@@ -101,6 +102,16 @@ void append_numbers(const TomlReader& reader, const toml::table& table, const Pu
   }
 }
 
+const Catalogue& catalogue() {
+  static const Catalogue read = [] {
+    Catalogue all;
+    for (const EmbeddedFile& file : catalogue_files)
+      read_families(std::string(file.text), std::string(file.name), all);
+    return all;
+  }();
+  return read;
+}
+
 }  // namespace
 
 void read_families(const std::string& text, const std::string& name, Catalogue& into) {
@@ -115,6 +126,33 @@ void read_families(const std::string& text, const std::string& name, Catalogue& 
   }
   for (std::size_t i = 0; i < sets.size(); ++i)
     append_numbers(reader, *sets[i]->as_table(), file.published[i], into.published);
+}
+
+std::span<const Family> families() {
+  return catalogue().families;
+}
+
+std::span<const Published> published_constants() {
+  return catalogue().published;
+}
+
+const Published* find_published(std::string_view id) {
+  const auto all = published_constants();
+  const auto found = std::ranges::find(all, id, &Published::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::size_t parameter_index(const Family& family, std::string_view name) {
+  const auto found = std::ranges::find(family.parameters, name);
+  if (found == family.parameters.end())
+    throw std::logic_error("a record names a parameter that its family lacks");
+  return static_cast<std::size_t>(found - family.parameters.begin());
+}
+
+const Family* find_family(std::string_view id) {
+  const auto all = families();
+  const auto found = std::ranges::find(all, id, &Family::id);
+  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace shadefit
