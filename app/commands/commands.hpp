@@ -7,7 +7,7 @@
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
 #include "app/output/progress.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 
 /// The commands, each with its parsed options. Bad input throws UserError. Long work calls the checkpoint
 /// until its files are written, and shows its progress.
