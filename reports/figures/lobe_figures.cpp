@@ -170,15 +170,6 @@ Figure gaussian_lobe_figure(const std::vector<const Fit*>& fits) {
       table_of(fits, gaussian_approximations(), values_at));
 }
 
-Figure gaussian_error_figure(const std::vector<const Fit*>& fits) {
-  return error_figure(
-      "lobe-errors", "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.",
-      "sg-offset",
-      "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
-      "errors where the lobe is at least 1/255, and up to 100 %.",
-      fits, gaussian_approximations(), "k");
-}
-
 Figure offset_figure(const Refit& refit) {
   const std::string mean = printed("sg-offset-mean"), limit = printed("sg-offset-limit");
   const auto panel = [&](const std::string& settings, const Level& level) {
@@ -237,32 +228,35 @@ Figure factor_figure(const Refit& refit) {
       best_parameter_table(refit));
 }
 
-Figure factor_error_figure(const std::vector<const Fit*>& fits) {
-  return error_figure(
-      "phong-blinn-errors",
-      "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.",
-      "phong-blinn",
-      "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
-      "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
-      fits, blinn_approximations(), "ρ");
-}
-
 }  // namespace
 
 std::vector<Figure> gaussian_figures(const Refit& refit) {
   // Low, medium and high: the lowest in use, the end of the published mean, a glossy surface.
   const auto fits = fits_at(refit, {2, 15, 100});
-  std::vector<Figure> figures;
-  if (!fits.empty()) figures = {gaussian_lobe_figure(fits), gaussian_error_figure(fits)};
-  figures.push_back(offset_figure(refit));
-  return figures;
+  if (fits.empty()) return {offset_figure(refit)};
+  return {
+      gaussian_lobe_figure(fits),
+      error_figure(
+          "lobe-errors", "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.",
+          "sg-offset",
+          "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
+          "errors where the lobe is at least 1/255, and up to 100 %.",
+          fits, gaussian_approximations(), "k"),
+      offset_figure(refit)};
 }
 
 std::vector<Figure> phong_blinn_figures(const Refit& refit) {
   const auto fits = fits_at(refit, {2, 8, 128});
-  std::vector<Figure> figures{factor_figure(refit)};
-  if (!fits.empty()) figures.push_back(factor_error_figure(fits));
-  return figures;
+  if (fits.empty()) return {factor_figure(refit)};
+  return {
+      factor_figure(refit),
+      error_figure(
+          "phong-blinn-errors",
+          "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.",
+          "phong-blinn",
+          "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
+          "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
+          fits, blinn_approximations(), "ρ")};
 }
 
 }  // namespace shadefit

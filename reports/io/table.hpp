@@ -48,6 +48,9 @@ enum class Precision {
 /// it.
 std::string text(const Cell& cell, Precision precision);
 
+/// A number with so many digits, as a report prints it.
+std::string in_digits(double value, int digits);
+
 Cell word(std::string_view text);
 
 /// The table with one more column, of the same text in each row.
