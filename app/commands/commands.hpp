@@ -9,7 +9,7 @@
 #include "app/output/progress.hpp"
 #include "fit/better/better_study.hpp"
 #include "fit/catalogue/study_file.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/findings/baseline.hpp"
 #include "reports/io/files.hpp"
 

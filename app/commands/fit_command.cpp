@@ -6,7 +6,6 @@
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
-#include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/round_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/figures.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/support/checkpoint.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/io/files.hpp"
 
 namespace shadefit {

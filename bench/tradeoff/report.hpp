@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/tradeoff/trade.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/table.hpp"
 

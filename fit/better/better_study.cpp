@@ -70,7 +70,7 @@ struct NearPeak {
 };
 
 StudyContender contender_of(const StudyForm& form, const Study& study, OthersText origin,
-                            std::vector<double> values, std::vector<std::string> printed,
+                            const std::vector<double>& values, const std::vector<std::string>& printed,
                             const Checkpoint& checkpoint) {
   const ReadStudy read = read_formulas(study);
   const bool is_plain = error_of(study) == "max_abs_error";
@@ -78,21 +78,19 @@ StudyContender contender_of(const StudyForm& form, const Study& study, OthersTex
   StudyExtremum largest =
       is_plain ? largest_error(peak.read, values) : largest_weighted_error(peak.read, values);
   largest.at.front() = peak.cosine_of(largest.at.front());
-  const double rms = rms_error(peak.read, StudyError(peak.read), values);
   const SampledCurve curve = peak.sample(values);
   const Symbolic code = at_parameters(read, read.form, values);
-  const std::vector<StudyProperty> properties = properties_of(read, curve, printed);
   StudyContender contender{.form = form.id,
                            .formula = form.formula,
                            .origin = std::move(origin),
                            .names = read.parameters,
-                           .printed = std::move(printed),
-                           .values = std::move(values),
+                           .printed = printed,
+                           .values = values,
                            .code = code,
                            .operations = count_operations(code),
                            .max_error = largest,
-                           .rms_error = rms,
-                           .properties = properties,
+                           .rms_error = rms_error(peak.read, StudyError(peak.read), values),
+                           .properties = properties_of(read, curve, printed),
                            .effect = effect_of(curve, largest.magnitude),
                            .is_shown = is_shown(curve)};
   // The largest error may lie between the samples.
@@ -116,21 +114,20 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     for (const std::string& text : printed) values.push_back(constant<double>(text));
     StudyContender contender = contender_of(form, study, set.source, values, printed, checkpoint);
     contender.published = &set;
-    if (judged == Judged::no) {
-      comparison.contenders.push_back(contender);
-      continue;
+    if (judged == Judged::yes) {
+      // Several sources may print the same digits.
+      const auto same = std::ranges::find_if(comparison.contenders, [&](const StudyContender& other) {
+        return other.form == form.id && other.printed == printed;
+      });
+      StudyObjective asked = objective_of(study, file.norm, file.constraints);
+      asked.recompute = file.recompute;
+      asked.target_cuts = cuts;
+      contender.judgement =
+          same != comparison.contenders.end() ? same->judgement : judge_set(asked, set, checkpoint);
+      for (const ErrorClaim& claim : set.claims)
+        contender.claims.push_back(judge_error(claim, study, values));
     }
-    // Several sources may print the same digits.
-    const auto same = std::ranges::find_if(comparison.contenders, [&](const StudyContender& other) {
-      return other.form == form.id && other.printed == printed;
-    });
-    StudyObjective asked = objective_of(study, file.norm, file.constraints);
-    asked.recompute = file.recompute;
-    asked.target_cuts = cuts;
-    contender.judgement =
-        same != comparison.contenders.end() ? same->judgement : judge_set(asked, set, checkpoint);
-    for (const ErrorClaim& claim : set.claims) contender.claims.push_back(judge_error(claim, study, values));
-    comparison.contenders.push_back(contender);
+    comparison.contenders.push_back(std::move(contender));
   }
 }
 

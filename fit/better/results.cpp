@@ -83,19 +83,13 @@ std::vector<TargetComparison> comparisons(const std::vector<std::string>& ids, c
   return found;
 }
 
-bool has_id(const auto& records, std::string_view id) {
-  return std::ranges::any_of(records, [&](const auto& record) { return record.id == id; });
-}
-
 }  // namespace
 
 std::vector<std::string> fitted_ids() {
   std::vector<std::string> ids;
   for (const auto& family : families()) {
-    ids.emplace_back(family.id);
-    for (const Published& published : published_constants()) {
-      if (published.family == family.id) ids.emplace_back(published.id);
-    }
+    ids.push_back(family.id);
+    for (const Published* number : numbers_of(family)) ids.push_back(number->id);
   }
   return ids;
 }
@@ -111,8 +105,9 @@ std::vector<std::string> known_ids() {
 }
 
 bool is_known_id(std::string_view id) {
-  return find_family(id) != nullptr || has_claim(id) || has_id(published_constants(), id) ||
-         has_id(normalisations, id);
+  const auto has_id = [&](const auto& record) { return record.id == id; };
+  return find_family(id) != nullptr || has_claim(id) || find_published(id) != nullptr ||
+         std::ranges::any_of(normalisations, has_id);
 }
 
 std::vector<std::string> claim_ids() {
@@ -197,16 +192,13 @@ bool all_checks_passed(const Results& results) {
   return converged && linked && confirmed && exact && judged && proven;
 }
 
-std::string which_fit(const Fit& fit) {
-  return std::string(fit.family->id) + (fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "");
-}
-
 std::string not_converged_lines(const Refit& refit) {
   std::string lines;
-  for (const FitReport& report : refit.fits) {
-    if (report.fit.status == Status::converged) continue;
-    lines += fmt::format("shadefit: {} did not converge: {}{}\n", which_fit(report.fit),
-                         name(report.fit.status), report.fit.why.empty() ? "" : ": " + report.fit.why);
+  for (const auto& [fit, assessments] : refit.fits) {
+    if (fit.status == Status::converged) continue;
+    lines += fmt::format("shadefit: {}{} did not converge: {}: {}\n", fit.family->id,
+                         fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "", name(fit.status),
+                         fit.why);
   }
   return lines;
 }

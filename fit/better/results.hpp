@@ -52,9 +52,6 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
 /// curve proven.
 bool all_checks_passed(const Results& results);
 
-/// "sg-offset at exponent 5".
-std::string which_fit(const Fit& fit);
-
 /// One line for each fit that did not converge, with the reason.
 std::string not_converged_lines(const Refit& refit);
 

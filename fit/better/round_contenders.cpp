@@ -54,22 +54,6 @@ void evaluate(const ReadStudy& read, StudyInFormat<Format>& study, const std::ve
   result.reason = "overflows or is not a number at " + place;
 }
 
-/// The places where a contender is exact.
-std::vector<double> exact_places(const StudyContender& contender) {
-  std::vector<double> places;
-  for (const StudyProperty& property : contender.properties) {
-    const auto& at = property.constraints.exact_at;
-    places.insert(places.end(), at.begin(), at.end());
-  }
-  return places;
-}
-
-std::vector<double> values_of(const StudyComparison& comparison, const StudyContender& contender) {
-  std::vector<double> values = contender.values;
-  for (const Held& held : comparison.study.held) values.push_back(held.value);
-  return values;
-}
-
 /// A contender in a format, and the study to evaluate other constants in.
 template <class Format>
 struct RoundedContender {
@@ -111,11 +95,12 @@ std::optional<ContenderInFormat> searched(const StudySubject& subject, const Stu
                                           StudyInFormat<HalfFormat>& study,
                                           const std::vector<std::vector<double>>& starts,
                                           const Checkpoint& checkpoint) {
+  const std::vector<double> exact_at = constraints_of(contender.properties).exact_at;
   double before = HUGE_VAL, after = HUGE_VAL;
   std::vector<double> best;
   for (const std::vector<double>& start : starts) {
     before = std::min(before, study.largest_error(start).magnitude);
-    const std::vector<double> moved = moved_constants(study, start, exact_places(contender), checkpoint);
+    const std::vector<double> moved = moved_constants(study, start, exact_at, checkpoint);
     const double error = study.largest_error(moved).magnitude;
     if (error < after) best = moved;
     after = std::min(after, error);
@@ -139,7 +124,8 @@ void round_contenders(StudyComparison& comparison, const Checkpoint& checkpoint)
     if (&contender != first && &contender != best) continue;
     const StudySubject subject = subject_of(comparison.study, contender);
     if (!fault_of(subject).empty()) continue;
-    const std::vector<double> values = values_of(comparison, contender);
+    std::vector<double> values = contender.values;
+    for (const Held& held : comparison.study.held) values.push_back(held.value);
     contender.formats = {rounded_to<FloatFormat>(subject, contender, values, checkpoint)->rounded};
     auto half = rounded_to<HalfFormat>(subject, contender, values, checkpoint);
     if (!half) continue;

@@ -34,19 +34,6 @@ std::vector<SampledPlace> grid_of(const ReadStudy& study) {
   return places;
 }
 
-std::vector<double> values_at(const ReadStudy& study, const Symbolic& formula,
-                              const std::vector<double>& parameters,
-                              const std::vector<SampledPlace>& places) {
-  TapeProgram<double> program(tape_of(formula, formula_inputs(study)), parameters);
-  std::vector<double> values;
-  const std::size_t axes = study.axes.size();
-  for (const SampledPlace& place : places) {
-    program.run(std::span(place).first(axes));
-    values.push_back(program.output(0));
-  }
-  return values;
-}
-
 SampledCurve curve_at(const ReadStudy& study, const std::vector<double>& parameters,
                       const std::vector<SampledPlace>& places) {
   return {places, values_at(study, study.target, parameters, places),
@@ -72,9 +59,17 @@ void append(SampledCurve& curve, SampledCurve other) {
   std::ranges::copy(other.form, std::back_inserter(curve.form));
 }
 
-std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,
-                            const std::vector<SampledPlace>& places) {
-  return values_at(study, study.form, parameters, places);
+std::vector<double> values_at(const ReadStudy& study, const Symbolic& formula,
+                              const std::vector<double>& parameters,
+                              const std::vector<SampledPlace>& places) {
+  TapeProgram<double> program(tape_of(formula, formula_inputs(study)), parameters);
+  std::vector<double> values;
+  const std::size_t axes = study.axes.size();
+  for (const SampledPlace& place : places) {
+    program.run(std::span(place).first(axes));
+    values.push_back(program.output(0));
+  }
+  return values;
 }
 
 }  // namespace shadefit

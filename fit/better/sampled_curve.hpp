@@ -28,8 +28,8 @@ SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& par
 /// Appends the places of another.
 void append(SampledCurve& curve, SampledCurve other);
 
-/// The form alone, at these places.
-std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,
-                            const std::vector<SampledPlace>& places);
+/// A formula of the study at these places.
+std::vector<double> values_at(const ReadStudy& study, const Symbolic& formula,
+                              const std::vector<double>& parameters, const std::vector<SampledPlace>& places);
 
 }  // namespace shadefit

@@ -35,27 +35,23 @@ std::vector<Neighbours> neighbours_along(std::size_t variable, const std::vector
   return 2 * result.size() > places.size() ? result : std::vector<Neighbours>{};
 }
 
-/// Whether no value is below its neighbour before it, by more than `slack`.
-bool never_falls(const std::vector<double>& values, const std::vector<Neighbours>& line, double slack) {
-  return std::ranges::all_of(
-      line, [&](const Neighbours& at) { return values[at.second] >= values[at.first] - slack; });
-}
-
-bool never_rises(const std::vector<double>& values, const std::vector<Neighbours>& line, double slack) {
-  return std::ranges::all_of(
-      line, [&](const Neighbours& at) { return values[at.second] <= values[at.first] + slack; });
-}
-
-/// Appends that the form rises or falls along a variable, if it does as its target does.
+/// Appends that the form rises or falls along a variable, if it does as its target does: but for `slack` no
+/// value is below its neighbour, or none is above.
 void append_course(const ReadStudy& study, const SampledCurve& curve, std::size_t variable, double slack,
                    std::vector<StudyProperty>& properties) {
   const std::vector<Neighbours> line = neighbours_along(variable, curve.places);
   if (line.empty()) return;
   const std::string along = study.axes.size() > 1 ? " in " + study.axes[variable].variable : "";
-  if (never_falls(curve.target, line, slack) && never_falls(curve.form, line, slack))
-    properties.push_back({"rises" + along, {.monotone = Course::rises}, variable});
-  if (never_rises(curve.target, line, slack) && never_rises(curve.form, line, slack))
-    properties.push_back({"falls" + along, {.monotone = Course::falls}, variable});
+  for (const Course course : {Course::rises, Course::falls}) {
+    const auto keeps = [&](const std::vector<double>& values) {
+      return std::ranges::all_of(line, [&](const Neighbours& at) {
+        const double before = values[at.first], after = values[at.second];
+        return course == Course::rises ? after >= before - slack : after <= before + slack;
+      });
+    };
+    if (keeps(curve.target) && keeps(curve.form))
+      properties.push_back({std::string(name(course)) + along, {.monotone = course}, variable});
+  }
 }
 
 bool are_all(const std::vector<double>& values, double lower, double upper) {
@@ -80,12 +76,12 @@ std::vector<double> reach_of_digits(const ReadStudy& study, const std::vector<st
                                     const std::vector<SampledPlace>& places) {
   std::vector<double> values;
   for (const std::string& text : printed) values.push_back(constant<double>(text));
-  const std::vector<double> form = form_at(study, values, places);
+  const std::vector<double> form = values_at(study, study.form, values, places);
   std::vector<double> reach(places.size(), 0.0);
   for (std::size_t k = 0; k < printed.size(); ++k) {
     std::vector<double> moved = values;
     moved[k] += last_unit(printed[k]) / 2;
-    const std::vector<double> other = form_at(study, moved, places);
+    const std::vector<double> other = values_at(study, study.form, moved, places);
     for (std::size_t i = 0; i < places.size(); ++i) reach[i] += std::abs(other[i] - form[i]);
   }
   return reach;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,36 +28,24 @@ struct Setting {
 
   // A bare exponent is the usual setting.
   constexpr Setting(double exponent_ = 0, Surface surface_ = {}) : exponent(exponent_), surface(surface_) {}
-  auto operator<=>(const Setting&) const = default;
 };
 
 /// The result of a fit: constants, their digits, and the errors of the fitted curve.
 struct Fit {
-  std::vector<double> parameters;  ///< in the order of the family; an answer only if `status` is converged
+  std::vector<double> parameters;  ///< the free ones, in the order of the family; an answer only if converged
   Status status = Status::not_converged;
   int digits = 0;  ///< correct digits of the worst parameter, at most 14
-  /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2), with the error of the
-  /// metric. A constant weight changes nothing. Never above the largest error.
+  /// sqrt(integral of measure * (weight * error)^2 / integral of measure), with the error of the metric.
+  /// Never above the largest weight * |error|.
   double rms_error = 0;
   std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest weight * |error|
-  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit
+  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit; by rising cosine
   std::string why = {};  ///< of a fit that did not converge, if its status is not enough
   const Family* family = nullptr;
   std::optional<double> exponent = std::nullopt;  ///< empty where the family has none
   Surface surface = {};                           ///< of a Fresnel form
   Metric metric = {};
   Extremum max_abs_error = {};  ///< of form - target
-  /// Relative to `relative_to`; empty if that has no meaning.
-  std::optional<Extremum> max_rel_error = std::nullopt;
-  Domain relative_domain = {};  ///< the range of its search
-  std::string relative_to = {};
-};
-
-/// A form at one cosine. On an exact surface it is a Fresnel weight f, F = f0 + (1-f0) f.
-struct CurvePoint {
-  double form;
-  double error;                          ///< form - target; with a named surface that of F
-  std::optional<double> relative_error;  ///< relative to `Fit::relative_to`; empty if it is not finite
 };
 
 /// A form and its target. Parameters are in the order of `parameters`.
@@ -80,39 +67,35 @@ struct Family {
 
   Fit fit(const Setting& setting, const Metric& metric) const;
 
-  /// The largest errors at given parameters. Infinite at a pole.
-  Extremum max_abs_error(const Setting& setting, const Domain& domain,
-                         std::span<const double> parameters) const;
-  /// Empty where a relative error has no meaning.
-  std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& domain,
-                                        std::span<const double> parameters) const;
-
-  /// Both, of a fit.
-  void add_errors(Fit& of) const;
+  /// The largest weight * |error| on the domain of a metric, at the values of its free parameters. Infinite
+  /// at a pole.
+  Extremum largest_error(const Setting& setting, Metric metric, std::span<const double> values) const;
 
   /// Of a change of the parameters.
   Effect effect(const Setting& setting, const Domain& domain, std::span<const double> from,
                 std::span<const double> to) const;
 
-  /// Returns the part of a domain where a relative error has a meaning. It is empty if no part has one.
-  std::optional<Domain> relative_domain(const Setting& setting, const Domain& domain) const;
-
-  /// The curve, at given parameters. One thread asks it at a time.
-  std::function<CurvePoint(const Cosine<double>&)> curve_at(const Setting& setting,
-                                                            std::span<const double> parameters) const;
-
   /// The points from which a search starts: a value of each parameter, in their order.
   std::vector<std::vector<Held>> starts_of(const Setting& setting) const;
 };
-
-/// Why two errors of one curve are no answer: a root mean square is never above the largest magnitude, and
-/// that is finite. Empty if they are one.
-std::string contradiction_of(double rms_error, double largest_error);
 
 /// The setting that a fit was made with.
 inline Setting setting_of(const Fit& fit) {
   return {fit.exponent.value_or(0), fit.surface};
 }
+
+/// The study of a family under a metric, with the formulas near its peak and the starts that are known. A
+/// relative error is that of the family; that of a lobe counts where the target is at least 1/255, one code
+/// of an 8-bit linear target. Empty if it has no meaning anywhere.
+std::optional<Study> study_of(const Family& family, const Setting& setting, const Metric& metric);
+
+/// Target and weight of a Fresnel form for a surface, over c. Without a named surface an absolute error is
+/// that of the weight, for every f0; else errors are those of the reflectance. The range is cut where the
+/// target has fallen.
+Study fresnel_study(const Surface& surface, Error error);
+
+/// Multiplies the weight of a study by another. An empty one changes nothing.
+void multiply_weight(Study& study, const std::string& weight);
 
 /// Every family, in the order of the report.
 std::span<const Family> families();

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "approx/records/record.hpp"
 #include "fit/catalogue/study_file.hpp"
@@ -12,8 +14,8 @@ namespace shadefit {
 
 /// A mistyped copy of a published number that is in circulation, and where it was seen.
 struct Variant {
-  std::string_view printed;
-  std::string_view seen_in;
+  std::string printed;
+  std::string seen_in;
 };
 
 /// The meaning of a published number: the computation that has to reproduce it.
@@ -27,22 +29,22 @@ enum class Statement {
 
 /// A closed form that gives a published number by convention instead of a fit.
 struct Convention {
-  std::string_view name = {};     ///< empty if the number has no convention
-  std::string_view formula = {};  ///< as text
+  std::string name = {};     ///< empty if the number has no convention
+  std::string formula = {};  ///< as text
   std::optional<double> value = std::nullopt;
 };
 
 /// One published constant of a fitted family.
 struct Published {
-  std::string_view id;         ///< its name in the ledger, e.g. "sg-offset-k5"
-  std::string_view family;     ///< the family that refits it, e.g. "sg-offset"
-  std::string_view parameter;  ///< which parameter of that family
-  std::string_view printed;    ///< the digits as printed: their number matters
+  std::string id;         ///< its name in the ledger, e.g. "sg-offset-k5"
+  std::string family;     ///< the family that refits it, e.g. "sg-offset"
+  std::string parameter;  ///< which parameter of that family
+  std::string printed;    ///< the digits as printed: their number matters
   Statement statement;
-  std::string_view exponents = {};  ///< "5", or a sweep "3:15:1"; empty where the family has none
+  std::string exponents = {};  ///< "5", or a sweep "3:15:1"; empty where the family has none
   Convention convention = {};
   Source source;
-  std::span<const Variant> variants = {};
+  std::vector<Variant> variants = {};
   const PrintedValues* curve = nullptr;  ///< all that its source prints together, in the order of the family
 };
 

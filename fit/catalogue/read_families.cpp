@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "fit/catalogue/read_study_file.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "studies/catalogue_files.hpp"
 
 namespace shadefit {
 namespace {
@@ -18,13 +19,12 @@ const MoreKeys keys_of_families{
     .of_form = {"near_peak", "title", "variables", "is_comparison", "starts", "starts_inside"},
     .of_published = {"id", "statement", "sweep", "convention"}};
 
-/// The value of a word.
-template <class T, std::size_t N>
-T named(const TomlReader& reader, const toml::node& node, const std::string& word,
-        const std::array<std::pair<std::string_view, T>, N>& values) {
-  const auto found = std::ranges::find(values, word, &std::pair<std::string_view, T>::first);
-  if (found == values.end()) reader.fail(node, "'" + word + "' is unknown here");
-  return found->second;
+Statement statement_of(const TomlReader& reader, const toml::table& table) {
+  constexpr std::array<std::string_view, 4> words{"best", "mean", "limit", "somewhere"};
+  const std::string word = reader.optional(table, "statement", "best");
+  const auto found = std::ranges::find(words, word);
+  if (found == words.end()) reader.fail(table, "'" + word + "' is unknown here");
+  return static_cast<Statement>(found - words.begin());
 }
 
 /// Points of the search: a formula for each parameter.
@@ -66,80 +66,93 @@ Family family_of(const TomlReader& reader, const toml::table& whole, const toml:
           .starts_inside = starts_of(reader, form, "starts_inside")};
 }
 
-/// Reads published sets into one record for each number.
-class PublishedReader {
- public:
-  PublishedReader(const TomlReader& reader, Catalogue& into) : reader_(reader), into_(into) {}
+Source source_of(const CitedWork& work) {
+  return {work.authors.front().unescaped(), std::atoi(work.year.unescaped().c_str()), work.title.unescaped(),
+          work.howpublished.unescaped(), work.url};
+}
 
-  void append(const toml::table& table, const PublishedSet& set) {
-    const std::string id = reader_.required(table, "id"),
-                      statement = reader_.optional(table, "statement", "best");
-    const Source source = source_of(set.cite.value());
-    const PrintedValues& curve = into_.curves.emplace_back(set.values);
-    for (const auto& [parameter, printed] : set.values) {
-      Published number{
-          .id = kept(set.values.size() == 1 ? id : id + "-" + parameter),
-          .family = kept(set.form),
-          .parameter = kept(parameter),
-          .printed = kept(printed),
-          .statement = named<Statement, 4>(reader_, table, statement,
-                                           {{{"best", Statement::best_fit},
-                                             {"mean", Statement::mean_of_fits},
-                                             {"limit", Statement::limit_of_fits},
-                                             {"somewhere", Statement::fit_somewhere}}}),
-          .exponents = kept(set.given.empty() ? reader_.optional(table, "sweep") : set.given.front().second),
-          .source = source,
-          .variants = variants_of(set, parameter),
-          .curve = &curve};
-      if (const toml::node* convention = table.get("convention"))
-        number.convention = convention_of(reader_.table(*convention, "convention"));
-      into_.published.push_back(number);
-    }
-  }
+Convention convention_of(const TomlReader& reader, const toml::table& table) {
+  reader.require_keys(table, {"name", "formula", "value"});
+  const std::optional<double> value = value_of_numbers(reader.required(table, "value"));
+  if (!value) reader.fail(table, "the value of a convention is a formula of numbers");
+  return {reader.required(table, "name"), reader.required(table, "formula"), value};
+}
 
- private:
-  std::string_view kept(std::string text) const { return into_.texts.emplace_back(std::move(text)); }
-  std::string_view kept(const OthersText& text) const { return kept(text.unescaped()); }
-
-  Source source_of(const CitedWork& work) const {
-    return {kept(work.authors.front()), std::atoi(work.year.unescaped().c_str()), kept(work.title),
-            kept(work.howpublished), kept(work.url)};
-  }
-
-  Convention convention_of(const toml::table& table) const {
-    reader_.require_keys(table, {"name", "formula", "value"});
-    const std::optional<double> value = value_of_numbers(reader_.required(table, "value"));
-    if (!value) reader_.fail(table, "the value of a convention is a formula of numbers");
-    return {kept(reader_.required(table, "name")), kept(reader_.required(table, "formula")), value};
-  }
-
-  std::span<const Variant> variants_of(const PublishedSet& set, const std::string& parameter) const {
-    std::vector<Variant>& variants = into_.variants.emplace_back();
+/// Appends a record for each number of a published set.
+void append_numbers(const TomlReader& reader, const toml::table& table, const PublishedSet& set,
+                    std::vector<Published>& into) {
+  const std::string id = reader.required(table, "id");
+  for (const auto& [parameter, printed] : set.values) {
+    Published number{
+        .id = set.values.size() == 1 ? id : id + "-" + parameter,
+        .family = set.form,
+        .parameter = parameter,
+        .printed = printed,
+        .statement = statement_of(reader, table),
+        .exponents = set.given.empty() ? reader.optional(table, "sweep") : set.given.front().second,
+        .source = source_of(set.cite.value()),
+        .curve = &set.values};
     for (const MistypedCopy& copy : set.variants) {
-      for (const auto& [name, printed] : copy.values)
-        if (name == parameter) variants.push_back({kept(printed), kept(copy.seen)});
+      for (const auto& [name, mistyped] : copy.values)
+        if (name == parameter) number.variants.push_back({mistyped, copy.seen.unescaped()});
     }
-    return variants;
+    if (const toml::node* convention = table.get("convention"))
+      number.convention = convention_of(reader, reader.table(*convention, "convention"));
+    into.push_back(std::move(number));
   }
+}
 
-  const TomlReader& reader_;
-  Catalogue& into_;
-};
+const Catalogue& catalogue() {
+  static const Catalogue read = [] {
+    Catalogue all;
+    for (const EmbeddedFile& file : catalogue_files)
+      read_families(std::string(file.text), std::string(file.name), all);
+    return all;
+  }();
+  return read;
+}
 
 }  // namespace
 
 void read_families(const std::string& text, const std::string& name, Catalogue& into) {
   const TomlReader reader("catalogue '" + name + "'");
   const toml::table whole = parse_in_lines(reader, text);
-  const StudyFile file = study_of_toml(reader, whole, keys_of_families);
+  const StudyFile& file = into.files.emplace_back(study_of_toml(reader, whole, keys_of_families));
   const auto forms = reader.list(whole, "form"), sets = reader.list(whole, "published");
   for (std::size_t i = 0; i < forms.size(); ++i) {
     Family family = family_of(reader, whole, *forms[i]->as_table(), file, file.forms[i]);
     const auto end = std::ranges::find_if(into.families, &Family::is_comparison);
     into.families.insert(family.is_comparison ? into.families.end() : end, std::move(family));
   }
-  PublishedReader published(reader, into);
-  for (std::size_t i = 0; i < sets.size(); ++i) published.append(*sets[i]->as_table(), file.published[i]);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    append_numbers(reader, *sets[i]->as_table(), file.published[i], into.published);
+}
+
+std::span<const Family> families() {
+  return catalogue().families;
+}
+
+std::span<const Published> published_constants() {
+  return catalogue().published;
+}
+
+const Published* find_published(std::string_view id) {
+  const auto all = published_constants();
+  const auto found = std::ranges::find(all, id, &Published::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::size_t parameter_index(const Family& family, std::string_view name) {
+  const auto found = std::ranges::find(family.parameters, name);
+  if (found == family.parameters.end())
+    throw std::logic_error("a record names a parameter that its family lacks");
+  return static_cast<std::size_t>(found - family.parameters.begin());
+}
+
+const Family* find_family(std::string_view id) {
+  const auto all = families();
+  const auto found = std::ranges::find(all, id, &Family::id);
+  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace shadefit

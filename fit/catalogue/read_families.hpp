@@ -12,9 +12,7 @@ namespace shadefit {
 struct Catalogue {
   std::vector<Family> families = {};      ///< those that only compare come last
   std::vector<Published> published = {};  ///< one for each number
-  std::deque<std::string> texts = {};     ///< what `published` points into
-  std::deque<std::vector<Variant>> variants = {};
-  std::deque<PrintedValues> curves = {};
+  std::deque<StudyFile> files = {};       ///< what `published` points into
 };
 
 /// Reads the file of a study whose forms are families. Beside the keys of a study it has

@@ -15,21 +15,9 @@ constexpr double most_combined_bytes = 1 << 28;
 }  // namespace
 
 std::string_view name(StatedError error) {
-  switch (error) {
-    case StatedError::max_abs_error:
-      return "max_abs_error";
-    case StatedError::max_rel_error:
-      return "max_rel_error";
-    case StatedError::mean_abs_error:
-      return "mean_abs_error";
-    case StatedError::mean_rel_error:
-      return "mean_rel_error";
-    case StatedError::rms_error:
-      return "rms_error";
-    case StatedError::mean_square_error:
-      return "mean_square_error";
-  }
-  return "unknown";
+  constexpr std::array<std::string_view, stated_errors.size()> names{
+      "max_abs_error", "max_rel_error", "mean_abs_error", "mean_rel_error", "rms_error", "mean_square_error"};
+  return names.at(static_cast<std::size_t>(error));
 }
 
 void take_form(Study& study, const StudyForm& form) {

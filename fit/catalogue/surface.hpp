@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <optional>
 
 #include "approx/fresnel.hpp"
@@ -21,8 +20,6 @@ struct Surface {
   /// Without a named surface: the reflectance at normal incidence for relative errors. Empty: the
   /// `reference_f0`.
   std::optional<double> f0 = std::nullopt;
-
-  auto operator<=>(const Surface&) const = default;
 
   bool is_named() const { return ior != 0; }
   bool is_exact() const { return formula == Formula::exact; }
@@ -45,16 +42,13 @@ inline double normal_reflectance(const Surface& surface) {
   return conductor_reflectance_at_normal(surface.ior, surface.extinction);
 }
 
-/// The exact reflectance of a named surface at the cosine c.
-inline double exact_reflectance(const Surface& surface, double cos_theta) {
-  if (surface.extinction == 0) return dielectric_reflectance(cos_theta, surface.ior);
-  return conductor_reflectance(cos_theta, surface.ior, surface.extinction);
-}
-
 /// The weight of the reflectance between f0 and 1 at the cosine c: (F - f0)/(1 - f0).
 inline double target_weight(const Surface& surface, double cos_theta) {
   if (!surface.is_exact()) return schlick_weight(cos_theta);
-  return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance(surface));
+  const double reflectance = surface.extinction == 0
+                                 ? dielectric_reflectance(cos_theta, surface.ior)
+                                 : conductor_reflectance(cos_theta, surface.ior, surface.extinction);
+  return weight_of_reflectance(reflectance, normal_reflectance(surface));
 }
 
 /// The scale of the target: the cosine at which its weight first falls to one half, on the way from grazing

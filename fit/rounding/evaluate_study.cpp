@@ -1,4 +1,4 @@
-#include "fit/rounding/evaluate_study.hpp"
+#include "fit/rounding/round_study.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -17,73 +17,55 @@ std::string option_of(const NumberFormat& format) {
 /// How often a place at which the best constants are worse than at the sample joins it.
 constexpr int most_joined = 3;
 
-/// The evaluation of a study in a format.
-template <class Format>
-class Evaluation {
- public:
-  Evaluation(const ReadStudy& study, std::string option, const Checkpoint& checkpoint)
-      : study_(study),
-        option_(std::move(option)),
-        checkpoint_(checkpoint),
-        in_format_(study_in<Format>(study, option_, checkpoint)) {}
-
-  /// Values in the format, with their errors over every number of it.
-  RoundedStudySet set_of(const std::vector<double>& values) {
-    RoundedStudySet set = rounded(values);
-    if constexpr (std::same_as<Format, FloatFormat>) {
-      const ErrorInFormat largest = largest_of_every_number(study_, in_format_, set.values, checkpoint_);
-      set.max_error = largest.magnitude;
-      set.at = largest.at;
-    } else {
-      add_errors(set, in_format_, checkpoint_);
-    }
-    return set;
+/// The best constants that moves from the starts find, or the set that is given. `set_of` assesses constants
+/// at every number of the format.
+template <class Format, class SetOf>
+RoundedStudySet best_from(StudyInFormat<Format>& in_format, const std::vector<std::vector<double>>& starts,
+                          RoundedStudySet best, const SetOf& set_of, const Checkpoint& checkpoint) {
+  const auto error_of = [&](const auto& values) { return in_format.largest_error(values).magnitude; };
+  std::vector<std::vector<double>> found;
+  for (const std::vector<double>& start : starts)
+    found.push_back(moved_constants(in_format, start, {}, checkpoint));
+  std::vector<double> values = *std::ranges::min_element(found, {}, error_of);
+  for (int joined = 0; joined <= most_joined; ++joined) {
+    const RoundedStudySet set = set_of(values);
+    if (set.max_error < best.max_error) best = set;
+    if (set.max_error <= error_of(values)) break;
+    in_format.add(set.at.front());
+    values = moved_constants(in_format, values, {}, checkpoint);
   }
-
-  /// The best that moves from the starts find, or the set that is given, that of the first start.
-  RoundedStudySet best_from(const std::vector<std::vector<double>>& starts, RoundedStudySet best) {
-    std::vector<std::vector<double>> found;
-    for (const std::vector<double>& start : starts)
-      found.push_back(moved_constants(in_format_, rounded(start).values, {}, checkpoint_));
-    const auto error_of = [&](const auto& values) { return in_format_.largest_error(values).magnitude; };
-    std::vector<double> values = *std::ranges::min_element(found, {}, error_of);
-    for (int joined = 0; joined <= most_joined; ++joined) {
-      const RoundedStudySet set = set_of(values);
-      if (set.max_error < best.max_error) best = set;
-      if (set.max_error <= error_of(values)) break;
-      in_format_.add(set.at.front());
-      values = moved_constants(in_format_, values, {}, checkpoint_);
-    }
-    return best;
-  }
-
-  long tried() const { return in_format_.tried(); }
-
- private:
-  RoundedStudySet rounded(const std::vector<double>& values) const {
-    return set_at(lattice_, indices_of(lattice_, values, study_.parameters, option_));
-  }
-
-  BinaryLattice<Format> lattice_;
-  const ReadStudy& study_;
-  std::string option_;
-  const Checkpoint& checkpoint_;
-  StudyInFormat<Format> in_format_;
-};
+  return best;
+}
 
 template <class Format>
 RoundedStudy evaluated(const StudyObjective& objective, const StudyFit& fit, const NumberFormat& format,
                        const std::vector<double>& published, const Checkpoint& checkpoint) {
   const ReadStudy study = read_study(objective.study);
-  Evaluation<Format> evaluation(study, option_of(format), checkpoint);
-  RoundedStudy result{.format = format, .naive = evaluation.set_of(fit.parameters)};
+  const BinaryLattice<Format> lattice;
+  auto in_format = study_in<Format>(study, option_of(format), checkpoint);
+  const auto rounded = [&](const std::vector<double>& values) {
+    return set_at(lattice, indices_of(lattice, values, study.parameters, option_of(format)));
+  };
+  const auto set_of = [&](const std::vector<double>& values) {
+    RoundedStudySet set = rounded(values);
+    if constexpr (std::same_as<Format, FloatFormat>) {
+      const ErrorInFormat largest = largest_of_every_number(study, in_format, set.values, checkpoint);
+      set.max_error = largest.magnitude;
+      set.at = largest.at;
+    } else {
+      add_errors(set, in_format, checkpoint);
+    }
+    return set;
+  };
+  RoundedStudy result{.format = format, .naive = set_of(fit.parameters)};
   auto starts = fitted_values(objective, fit, checkpoint);
   if (!published.empty()) {
-    result.published = evaluation.set_of(published);
+    result.published = set_of(published);
     starts.push_back(published);
   }
-  result.best = evaluation.best_from(starts, result.naive);
-  result.evaluated = evaluation.tried();
+  for (std::vector<double>& start : starts) start = rounded(start).values;
+  result.best = best_from(in_format, starts, result.naive, set_of, checkpoint);
+  result.evaluated = in_format.tried();
   result.searched = "those that moves of one constant or two, by up to " + std::to_string(farthest_move) +
                     " steps of the format, reach from the fits";
   return result;

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 
 #include "approx/scalar.hpp"
@@ -34,34 +35,27 @@ NumberFormat parse_number_format(const std::string& text);
 NumberFormat parse_evaluated_format(const std::string& text);
 
 /// The numbers of a binary format by their bits: index i >= 0 is the i-th number from zero up, -i its
-/// negative; both zeros are 0.
+/// negative; both zeros are 0. Scaled so that the least normal number is that of double, the leading bits of
+/// a number are its index.
 template <class Format>
 struct BinaryLattice {
-  static constexpr std::int64_t fractions = std::int64_t{1} << (Format::digits - 1);
+  static constexpr int scale = -1022 - Format::least_exponent, dropped_bits = 53 - Format::digits;
 
-  std::int64_t last() const {
-    return fractions * (Format::largest_exponent - Format::least_exponent + 2) - 1;
-  }
+  std::int64_t last() const { return index_of(largest_of<Format>); }
   double value(std::int64_t index) const {
-    const std::int64_t i = index < 0 ? -index : index;
-    const std::int64_t binade = i / fractions, fraction = i % fractions;
-    const int exponent = Format::least_exponent - Format::digits + 1;
-    const double magnitude = binade == 0 ? std::ldexp(static_cast<double>(fraction), exponent)
-                                         : std::ldexp(static_cast<double>(fractions + fraction),
-                                                      exponent + static_cast<int>(binade) - 1);
+    const double magnitude = std::ldexp(std::bit_cast<double>(std::abs(index) << dropped_bits), -scale);
     return index < 0 ? -magnitude : magnitude;
   }
   /// The index of the number nearest to x; beyond `last()` if x overflows.
   std::int64_t nearest(double x) const {
     const double rounded = static_cast<double>(NarrowResult<Format>::rounded(std::abs(x)));
-    if (!(rounded <= largest_of<Format>)) return x < 0 ? -(last() + 1) : last() + 1;
-    std::int64_t index = 0;
-    if (rounded > 0) {
-      const int exponent = std::max(std::ilogb(rounded), Format::least_exponent);
-      const double whole = std::ldexp(rounded, Format::digits - 1 - exponent);
-      index = fractions * (exponent - Format::least_exponent) + static_cast<std::int64_t>(whole);
-    }
+    const std::int64_t index = rounded <= largest_of<Format> ? index_of(rounded) : last() + 1;
     return x < 0 ? -index : index;
+  }
+
+ private:
+  static std::int64_t index_of(double magnitude) {
+    return std::bit_cast<std::int64_t>(std::ldexp(magnitude, scale)) >> dropped_bits;
   }
 };
 

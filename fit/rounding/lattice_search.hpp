@@ -47,13 +47,6 @@ struct LatticeProblem {
   std::function<double(const LatticePoint& point, double best)> error;
 };
 
-/// Wraps a problem with members `bound` and `error`. The problem must outlive the result.
-template <class Problem>
-LatticeProblem lattice_problem(Problem& problem) {
-  return {[&problem](const LatticeBox& box, double best) { return problem.bound(box, best); },
-          [&problem](const LatticePoint& point, double best) { return problem.error(point, best); }};
-}
-
 struct FormatOptimum {
   LatticePoint point = {};
   bool is_proven = false;  ///< no other constants among those searched are better

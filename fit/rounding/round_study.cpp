@@ -56,8 +56,11 @@ RoundedStudy searched(const RoundingTask& asked, const Lattice& lattice, Problem
   for (const auto& values : fitted_values(asked.objective, asked.fit, asked.checkpoint))
     starts.push_back(point_of(values));
   if (!asked.published.empty()) starts.insert(starts.begin() + 1, point_of(asked.published));
-  const auto best = search_format(lattice_problem(problem), lattice.last(), starts, asked.format,
-                                  most_boxes_of_studies, asked.checkpoint);
+  const LatticeProblem erased{
+      [&](const LatticeBox& box, double least) { return problem.bound(box, least); },
+      [&](const LatticePoint& point, double least) { return problem.error(point, least); }};
+  const auto best =
+      search_format(erased, lattice.last(), starts, asked.format, most_boxes_of_studies, asked.checkpoint);
   RoundedStudy result{.format = asked.format,
                       .best = set_of(best.point),
                       .naive = start_at(starts.front()),

@@ -4,7 +4,7 @@
 
 #include "fit/rounding/rounded_set.hpp"
 
-/// The best constants of a study in a number format.
+/// The best constants of a study in a number format, and good ones for evaluating it in the format.
 namespace shadefit {
 
 /// Searches a format for the constants with the smallest largest |weight * error| over the ranges: in half
@@ -17,5 +17,16 @@ namespace shadefit {
 RoundedStudy round_study(const StudyObjective& objective, const StudyFit& fit, const NumberFormat& format,
                          const std::vector<double>& published = {},
                          const Checkpoint& checkpoint = keep_going);
+
+/// Constants of a study in half or float with a small largest error when the form is evaluated in that
+/// format, its constants and operations rounded to nearest in the order of the formula. From the rounded fit,
+/// the rounded minimax fit and `published`, if there is one, `moved_constants` looks for better ones; of a
+/// form with any number of parameters. In float they are judged at a sample of the range while searching. The
+/// errors of the result are over every number of the format. Nothing is proven about other constants. Throws
+/// UserError for other formats, measured rows, several variables, constraints, an integral in the form, in
+/// float also in the target, and if a constant overflows the format.
+RoundedStudy evaluate_study(const StudyObjective& objective, const StudyFit& fit, const NumberFormat& format,
+                            const std::vector<double>& published = {},
+                            const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/decimal.hpp"
@@ -21,7 +21,7 @@ PublishedSet set_of(const Family& family, const Published& number) {
       .values = *number.curve,
       .source = fmt::format("{} {}, {}", number.source.author, number.source.year, number.source.title)};
   set.is_stated_fit = number.statement == Statement::best_fit;
-  if (family.has_exponent()) set.given = {{"k", std::string(number.exponents)}};
+  if (family.has_exponent()) set.given = {{"k", number.exponents}};
   return set;
 }
 
@@ -69,7 +69,7 @@ StudyFile family_file(const Family& family, const Published* published, const Su
                       const std::string& weight) {
   StudyFile file{.id = family.id, .about = family.variables, .study = family.study, .forms = {}};
   if (family.is_fresnel) {
-    file.study = fresnel_study_to_fit(surface, error);
+    file.study = fresnel_study(surface, error);
   } else {
     file.study.given.clear();
     file.study.target = to_text(family.target);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "approx/encoding.hpp"
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/formula/tape_program.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"

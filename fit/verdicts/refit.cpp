@@ -39,7 +39,6 @@ Effect effect_of_replacing(FitCache& fits, const Published& published, const Met
 
 bool is_meant_for(const Published& published, const Fit& fit) {
   return published.family == fit.family->id && published.statement == Statement::best_fit &&
-         !fit.surface.is_named() &&
          (!fit.exponent || exponents_of(published) == std::vector<double>{*fit.exponent});
 }
 
@@ -53,10 +52,10 @@ std::vector<const Published*> numbers_of(const Family& family) {
   return numbers;
 }
 
-const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
-  const auto key = std::pair(metric, setting);
+const Fit& FitCache::at(double exponent, const Metric& metric) {
+  const auto key = std::pair(metric, exponent);
   const auto found = fits_.find(key);
-  return found != fits_.end() ? found->second : fits_.emplace(key, fitter_(setting, metric)).first->second;
+  return found != fits_.end() ? found->second : fits_.emplace(key, fitter_(exponent, metric)).first->second;
 }
 
 FitCache& Fits::of(const Family& family) {
@@ -91,6 +90,11 @@ std::vector<Metric> whole_domain_metrics() {
   return metrics;
 }
 
+namespace {
+
+/// The exponents at which the fitted parameter has the printed value, and the two numbers half a unit of its
+/// last digit away. They are searched between the exponents of the family's sweep. Empty if the parameter
+/// does not cross them.
 std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published,
                                             const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
@@ -115,8 +119,6 @@ std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& pub
   if (!exactly || !one || !other) return std::nullopt;
   return ExponentRange{std::min(*one, *other), std::max(*one, *other), *exactly};
 }
-
-namespace {
 
 /// The other metrics, and the record's convention, against which a published number is judged.
 std::vector<Alternative> alternatives(FitCache& fits, const Published& published, const Metric& metric) {
@@ -158,24 +160,6 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
                     effect_of_replacing(fits, published, metric, *computed)};
 }
 
-std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
-                                      std::span<const Metric> under, const Checkpoint& checkpoint) {
-  std::vector<FitReport> reports;
-  for (const Metric& metric : under) {
-    for (const Setting& setting : settings) {
-      checkpoint();
-      FitReport report{fits.at(setting, metric), {}};
-      for (const Published& published : published_constants()) {
-        if (!is_meant_for(published, report.fit)) continue;
-        const auto assessment = assess(fits, published, metric);
-        if (assessment) report.assessments.push_back(*assessment);
-      }
-      reports.push_back(std::move(report));
-    }
-  }
-  return reports;
-}
-
 std::vector<double> exponents_needed_by(const Published& published, const Family& family) {
   if (family.sweep.empty()) return {};
   return published.statement == Statement::fit_somewhere ? parse_sweep(family.sweep)
@@ -193,10 +177,20 @@ Refit refit(FitCache& fits, std::vector<double> exponents, std::vector<const Pub
   std::ranges::sort(exponents);
   exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
 
-  const std::vector<Setting> settings = family.has_exponent()
-                                            ? std::vector<Setting>(exponents.begin(), exponents.end())
-                                            : std::vector<Setting>{{}};
-  Refit result{&family, std::move(numbers), fit_and_assess(fits, settings, under, checkpoint), {}};
+  if (!family.has_exponent()) exponents = {0};
+  Refit result{&family, std::move(numbers), {}, {}};
+  for (const Metric& metric : under) {
+    for (const double exponent : exponents) {
+      checkpoint();
+      FitReport report{fits.at(exponent, metric), {}};
+      for (const Published& published : published_constants()) {
+        if (!is_meant_for(published, report.fit)) continue;
+        const auto assessment = assess(fits, published, metric);
+        if (assessment) report.assessments.push_back(*assessment);
+      }
+      result.fits.push_back(std::move(report));
+    }
+  }
   for (const Published* number : result.numbers) {
     if (number->statement == Statement::best_fit) continue;
     for (const Metric& metric : under) {

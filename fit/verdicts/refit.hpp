@@ -53,17 +53,17 @@ struct Refit {
 /// The fits of one family, each computed once. Not thread-safe.
 class FitCache {
  public:
-  using Fitter = std::function<Fit(const Setting&, const Metric&)>;
+  using Fitter = std::function<Fit(double exponent, const Metric&)>;
 
   explicit FitCache(const Family& family) : FitCache(family, std::bind_front(&Family::fit, &family)) {}
   FitCache(const Family& family, Fitter fitter) : family_(family), fitter_(std::move(fitter)) {}
   const Family& family() const { return family_; }
-  const Fit& at(const Setting& setting, const Metric& metric);
+  const Fit& at(double exponent, const Metric& metric);
 
  private:
   const Family& family_;
   Fitter fitter_;
-  std::map<std::pair<Metric, Setting>, Fit> fits_;
+  std::map<std::pair<Metric, double>, Fit> fits_;
 };
 
 /// The fits of all families, each computed once. The tables and the ledger of a run share one.
@@ -74,12 +74,6 @@ class Fits {
  private:
   std::map<const Family*, FitCache> caches_;
 };
-
-/// Fits the family at each setting under each of `under`, and judges the published numbers for those fits.
-/// The checkpoint is called before each fit.
-std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
-                                      std::span<const Metric> under,
-                                      const Checkpoint& checkpoint = keep_going);
 
 /// Fits the cache's family at the exponents and at those of the published `numbers`, in rising order, and
 /// judges the numbers, including means and limits of fits. The checkpoint is called
@@ -99,11 +93,6 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
 /// 1/k^3. Empty if a fit did not converge, or if the fits at k = 1e5, 1e6, 1e7 give another limit: on a
 /// domain without the peak, the best parameter grows without bound.
 std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
-
-/// The exponents at which the fitted parameter has the printed value, and the two numbers half a unit of its
-/// last digit away. They are searched between the exponents of the family's sweep. Empty if the parameter
-/// does not cross them.
-std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published, const Metric& metric);
 
 /// The exponents of a published number: from k = 1e6 for a limit, {0} if it has none.
 std::vector<double> exponents_of(const Published& published);

@@ -28,6 +28,14 @@
 namespace shadefit {
 namespace {
 
+constexpr std::array both_errors{Error::absolute, Error::relative};
+
+/// The objective of a study with this error.
+StudyObjective with_error(Study study, Norm norm, Error error, const Constraints& constraints = {}) {
+  study.error = error;
+  return objective_of(study, norm, constraints);
+}
+
 /// Evenly spaced samples of a range: at shares i/(count - 1) of it, or at the middles (i + 1/2)/count.
 struct Samples {
   int count;
@@ -113,16 +121,13 @@ void append_samples(const StudyObjective& asked, const ReadStudy& read, const Sy
   for (const Samples& samples : usual) {
     const auto rows = sampled(ranges_of(read, samples), tape, samples);
     if (!rows || rows->value.size() <= read.parameters.size()) continue;
-    for (const Error error : {Error::absolute, Error::relative}) {
-      Study study = asked.study;
-      study.error = error;
-      study.rows = rows;
-      study.over.clear();
-      for (const std::string& variable : variables) study.over.push_back({variable, "", ""});
-      StudyObjective objective = objective_of(study, Norm::least_squares, {});
-      objective.words += ", " + words_of(samples, variables.size());
-      objectives.push_back(std::move(objective));
-    }
+    Study study = asked.study;
+    study.rows = rows;
+    study.over.clear();
+    for (const std::string& variable : variables) study.over.push_back({variable, "", ""});
+    for (const Error error : both_errors)
+      objectives.emplace_back(with_error(study, Norm::least_squares, error)).words +=
+          ", " + words_of(samples, variables.size());
   }
 }
 
@@ -203,11 +208,9 @@ void append_parts(const StudyObjective& asked, const ReadStudy& read,
   const bool is_of_one = read.axes.size() == 1;
   for (const Domain& part : usual_parts) {
     for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
-      for (const Error error : {Error::absolute, Error::relative}) {
+      for (const Error error : both_errors) {
         if (!is_of_one && (norm == Norm::minimax || error != asked.study.error)) continue;
-        Study study = asked.study;
-        study.error = error;
-        objectives.push_back(on_part(objective_of(study, norm, {}), read, part));
+        objectives.push_back(on_part(with_error(asked.study, norm, error), read, part));
       }
     }
   }
@@ -218,13 +221,11 @@ void append_densities(const StudyObjective& asked, const StudyAxis& axis,
                       std::vector<StudyObjective>& objectives) {
   if (!is_in_unit(axis)) return;
   for (const auto& [words, density] : usual_densities(axis.variable)) {
-    for (const Error error : {Error::absolute, Error::relative}) {
-      Study study = asked.study;
-      study.error = error;
-      StudyObjective objective = objective_of(study, Norm::least_squares, {});
+    for (const Error error : both_errors) {
+      StudyObjective& objective =
+          objectives.emplace_back(with_error(asked.study, Norm::least_squares, error));
       objective.study.over.front().density = density;
       objective.words += ", " + words;
-      objectives.push_back(std::move(objective));
     }
   }
 }
@@ -237,10 +238,8 @@ std::vector<std::vector<double>> choices_of_ends(const StudyAxis& axis) {
 /// Appends fits that are exact at these places.
 void append_exact_at(const StudyObjective& asked, Norm norm, const std::vector<double>& places,
                      std::vector<StudyObjective>& objectives) {
-  for (const Error error : {Error::absolute, Error::relative}) {
-    Study study = asked.study;
-    study.error = error;
-    StudyObjective objective = objective_of(study, norm, {.exact_at = places});
+  for (const Error error : both_errors) {
+    StudyObjective objective = with_error(asked.study, norm, error, {.exact_at = places});
     if (objective.words != asked.words) objectives.push_back(std::move(objective));
   }
 }
@@ -283,12 +282,11 @@ std::vector<StudyObjective> plain_objectives(const StudyObjective& asked) {
   std::vector<std::string> weights{asked.study.weight};
   if (weights.front() != "1") weights.emplace_back("1");
   for (const std::string& weight : weights) {
-    for (const Error error : {Error::absolute, Error::relative}) {
+    Study study = asked.study;
+    study.weight = weight;
+    for (const Error error : both_errors) {
       for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
-        Study study = asked.study;
-        study.error = error;
-        study.weight = weight;
-        StudyObjective objective = objective_of(study, norm, {});
+        StudyObjective objective = with_error(study, norm, error);
         if (weight != weights.front()) objective.words += ", without the weight";
         if (objective.words != asked.words) objectives.push_back(std::move(objective));
       }

@@ -16,21 +16,9 @@ inline constexpr std::array all_verdicts{Verdict::confirmed, Verdict::rounding, 
                                          Verdict::conditional, Verdict::refuted};
 
 constexpr std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::confirmed:
-      return "confirmed";
-    case Verdict::rounding:
-      return "rounding";
-    case Verdict::other_objective:
-      return "other-objective";
-    case Verdict::conditional:
-      return "conditional";
-    case Verdict::refuted:
-      return "refuted";
-    case Verdict::undecidable:
-      return "undecidable";
-  }
-  return "unknown";
+  constexpr std::array<std::string_view, 6> names{"confirmed",   "rounding", "other-objective",
+                                                  "conditional", "refuted",  "undecidable"};
+  return names.at(static_cast<std::size_t>(verdict));
 }
 
 /// The difference of a printed number and the computed one, in units of the last printed digit. The computed

@@ -137,11 +137,12 @@ void append_families(std::vector<KnownSet>& sets) {
   for (const Published& record : published_constants()) {
     const Family& family = *find_family(record.family);
     // Two records of one parameter are two sets: 0.775 and 0.788.
-    const auto same = std::tuple(record.family, record.source.author, record.source.year,
-                                 family.parameters.size() == 1 ? record.id : "");
-    const auto [place, is_new] = places.emplace(same, sets.size());
+    const std::string_view number = family.parameters.size() == 1 ? std::string_view(record.id) : "";
+    const auto [place, is_new] = places.emplace(
+        std::tuple(std::string_view(record.family), record.source.author, record.source.year, number),
+        sets.size());
     if (is_new) {
-      KnownSet set{std::string(record.family), "", std::string(record.source.author), {}, family.form, {}};
+      KnownSet set{record.family, "", std::string(record.source.author), {}, family.form, {}};
       set.axes = {{"c", 0, 1}};
       // A lobe of a smaller exponent is not Gaussian; one of a far larger exponent is a point.
       if (family.has_exponent()) set.axes.push_back({"k", 3, 30});
@@ -149,7 +150,7 @@ void append_families(std::vector<KnownSet>& sets) {
     }
     KnownSet& set = sets[place->second];
     for (const Variant& variant : record.variants)
-      set.variants.push_back({set.constants.size(), std::string(variant.printed), "", false});
+      set.variants.push_back({set.constants.size(), variant.printed, "", false});
     set.constants.push_back(constant_of(record.parameter, record.printed));
   }
 }

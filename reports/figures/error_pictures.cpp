@@ -15,10 +15,7 @@
 namespace shadefit {
 namespace {
 
-/// A number beside a picture.
-std::string short_number(double value) {
-  return text(Number{value, 3}, Precision::report);
-}
+constexpr int picture_digits = 3;  // of a number beside a picture
 
 constexpr double svg_width = 720, svg_height = 240, svg_left = 112, svg_right = 12, svg_top = 10,
                  svg_bottom = 30;
@@ -137,12 +134,12 @@ std::string labels(const ErrorMap& errors, const std::vector<std::string>& varia
   const auto& column = errors.begin()->second;
   const double below = map_top + map_size + 18;
   return svg_text(left, map_top - 8, "start", title) +
-         svg_text(left, below, "start", short_number(errors.begin()->first)) +
+         svg_text(left, below, "start", in_digits(errors.begin()->first, picture_digits)) +
          svg_text(left + map_size / 2, below, "middle", variables[0]) +
-         svg_text(left + map_size, below, "end", short_number(errors.rbegin()->first)) +
-         svg_text(left - 6, map_top + map_size, "end", short_number(column.begin()->first)) +
+         svg_text(left + map_size, below, "end", in_digits(errors.rbegin()->first, picture_digits)) +
+         svg_text(left - 6, map_top + map_size, "end", in_digits(column.begin()->first, picture_digits)) +
          svg_text(left - 6, map_top + map_size / 2, "end", variables[1]) +
-         svg_text(left - 6, map_top + 10, "end", short_number(column.rbegin()->first));
+         svg_text(left - 6, map_top + 10, "end", in_digits(column.rbegin()->first, picture_digits));
 }
 
 }  // namespace
@@ -170,10 +167,10 @@ std::string error_curve_svg(const StudyComparison& comparison,
   svg += fmt::format("<line class=\"axis\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
                      svg_left, svg_width - svg_right, y_of(0, limit));
   for (const double value : {limit / svg_room, 0.0, -limit / svg_room})
-    svg += svg_text(svg_left - 8, y_of(value, limit) + 4, "end", short_number(value));
-  svg += svg_text(svg_left, svg_height - 8, "start", short_number(axis.lower));
+    svg += svg_text(svg_left - 8, y_of(value, limit) + 4, "end", in_digits(value, picture_digits));
+  svg += svg_text(svg_left, svg_height - 8, "start", in_digits(axis.lower, picture_digits));
   svg += svg_text((svg_left + svg_width - svg_right) / 2, svg_height - 8, "middle", axis.variable);
-  svg += svg_text(svg_width - svg_right, svg_height - 8, "end", short_number(axis.upper));
+  svg += svg_text(svg_width - svg_right, svg_height - 8, "end", in_digits(axis.upper, picture_digits));
   for (std::size_t i = 0; i < curves.size(); ++i) svg += polylines(curves[i], limit, i + 1);
   return svg + "</svg>\n";
 }
@@ -197,7 +194,7 @@ std::string heat_map_svg(const StudyComparison& comparison,
     const double left = map_left + static_cast<double>(i) * (map_size + map_gap);
     svg += cells(maps[i], limit, left) + labels(maps[i], comparison.variables, left,
                                                 (i == 0 ? "as published, at most " : "better, at most ") +
-                                                    short_number(largest_error_in(maps[i])));
+                                                    in_digits(largest_error_in(maps[i]), picture_digits));
   }
   return svg + "</svg>\n";
 }

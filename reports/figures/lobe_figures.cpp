@@ -6,21 +6,23 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <span>
 
 #include "approx/lobe.hpp"
+#include "approx/phong_blinn.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 
 namespace shadefit {
 namespace {
 
-/// One curve of the panels: the suffix of its column's name, and its parameter at a fit.
+/// One curve of the panels: the suffix of its column's name, and its value at a cosine. In long double the
+/// digits of small errors survive the difference from the target.
 struct Approximation {
   std::string column;
   std::string label;
   Look look;
-  double (*parameter)(const Fit&);
+  std::function<long double(const Fit&, const Cosine<double>&)> value;
 };
 
 /// The available fits of a low, a medium and a high exponent under the first measure.
@@ -32,27 +34,26 @@ std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double
   return fits;
 }
 
-/// The angle up to which a lobe is visible (its relative domain), rounded up to a multiple of five degrees.
+/// The angle up to which a lobe is visible, rounded up to a multiple of five degrees.
 double last_angle(const Fit& fit) {
   constexpr double step = 5;
-  const double c = fit.relative_domain.lower;
-  return std::ceil(degrees_of({c, 1 - c}) / step) * step;
+  return std::ceil(degrees_of(where_lobe_is_visible(*fit.exponent).value()) / step) * step;
 }
 
-/// The curve of an approximation at a fit, by the angle.
-std::function<CurvePoint(const Cosine<double>&)> at_fit(const Fit& fit, const Approximation& approximation) {
-  const double parameter = approximation.parameter(fit);
-  return fit.family->curve_at(setting_of(fit), std::span(&parameter, 1));
+/// cos^k(θ), with all digits near its peak.
+long double lobe_at(const Fit& fit, const Cosine<double>& c) {
+  constexpr double near = 0.5;
+  return c.cos_theta > near ? power_lobe_near_peak<long double>(c.one_minus_cos, *fit.exponent)
+                            : power_lobe<long double>(c.cos_theta, *fit.exponent);
 }
 
 /// The lobe of a fit and its approximations.
 std::vector<DrawnCurve> values_at(const Fit& fit, const std::vector<Approximation>& approximations) {
-  std::vector<DrawnCurve> curves{{{"target", "cos^k(θ)", Look::target}, [k = *fit.exponent](double angle) {
-                                    return power_lobe(cosine_of_degrees(angle).cos_theta, k);
-                                  }}};
+  std::vector<DrawnCurve> curves{{{"target", "cos^k(θ)", Look::target},
+                                  [&](double angle) { return lobe_at(fit, cosine_of_degrees(angle)); }}};
   for (const Approximation& of : approximations)
-    curves.push_back({{of.column, of.label, of.look}, [curve = at_fit(fit, of)](double angle) {
-                        return curve(cosine_of_degrees(angle)).form;
+    curves.push_back({{of.column, of.label, of.look}, [&fit, value = of.value](double angle) {
+                        return value(fit, cosine_of_degrees(angle));
                       }});
   return curves;
 }
@@ -60,17 +61,18 @@ std::vector<DrawnCurve> values_at(const Fit& fit, const std::vector<Approximatio
 /// The errors of the approximations: absolute ones, then relative ones, where the target is at least 1/255.
 std::vector<DrawnCurve> errors_at(const Fit& fit, const std::vector<Approximation>& approximations) {
   std::vector<DrawnCurve> curves;
+  const auto error = [&fit](const Approximation& of, const Cosine<double>& c) {
+    return of.value(fit, c) - lobe_at(fit, c);
+  };
   for (const Approximation& of : approximations)
-    curves.push_back({{"abs_" + of.column, of.label, of.look}, [curve = at_fit(fit, of)](double angle) {
-                        return curve(cosine_of_degrees(angle)).error;
+    curves.push_back({{"abs_" + of.column, of.label, of.look},
+                      [=](double angle) { return error(of, cosine_of_degrees(angle)); }});
+  const double least = where_lobe_is_visible(*fit.exponent).value().cos_theta;
+  for (const Approximation& of : approximations)
+    curves.push_back({{"rel_" + of.column, of.label, of.look, true}, [=, &fit](double angle) {
+                        const Cosine<double> c = cosine_of_degrees(angle);
+                        return c.cos_theta >= least ? error(of, c) / lobe_at(fit, c) : NAN;
                       }});
-  const double least = fit.relative_domain.lower;
-  for (const Approximation& of : approximations)
-    curves.push_back(
-        {{"rel_" + of.column, of.label, of.look, true}, [curve = at_fit(fit, of), least](double angle) {
-           const Cosine<double> c = cosine_of_degrees(angle);
-           return c.cos_theta >= least ? curve(c).relative_error.value_or(0) : NAN;
-         }});
   return curves;
 }
 
@@ -129,11 +131,14 @@ Figure error_figure(const std::string& name, const std::string& about, std::stri
 }
 
 std::vector<Approximation> gaussian_approximations() {
-  static constexpr std::string_view mean = "sg-offset-mean";
-  return {{"offset_0", "x = 0", Look::first, [](const Fit&) { return 0.0; }},
-          {"offset_" + printed(mean), "x = " + printed(mean), Look::second,
-           [](const Fit&) { return constant<double>(printed(mean)); }},
-          {"offset_1", "x = 1", Look::third, [](const Fit&) { return 1.0; }}};
+  const auto offset = [](const std::string& x, Look look) -> Approximation {
+    return {"offset_" + x, "x = " + x, look,
+            [value = constant<double>(x)](const Fit& fit, const Cosine<double>& c) {
+              return gaussian_lobe_near_peak<long double>(c.one_minus_cos, *fit.exponent, value);
+            }};
+  };
+  return {offset("0", Look::first), offset(printed("sg-offset-mean"), Look::second),
+          offset("1", Look::third)};
 }
 
 /// The best parameter by measure, marked where it was fitted.
@@ -165,15 +170,6 @@ Figure gaussian_lobe_figure(const std::vector<const Fit*>& fits) {
       table_of(fits, gaussian_approximations(), values_at));
 }
 
-Figure gaussian_error_figure(const std::vector<const Fit*>& fits) {
-  return error_figure(
-      "lobe-errors", "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.",
-      "sg-offset",
-      "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
-      "errors where the lobe is at least 1/255, and up to 100 %.",
-      fits, gaussian_approximations(), "k");
-}
-
 Figure offset_figure(const Refit& refit) {
   const std::string mean = printed("sg-offset-mean"), limit = printed("sg-offset-limit");
   const auto panel = [&](const std::string& settings, const Level& level) {
@@ -198,13 +194,17 @@ Figure offset_figure(const Refit& refit) {
 }
 
 std::vector<Approximation> blinn_approximations() {
-  static constexpr std::string_view limit = "phong-blinn-fisher-woo", somewhere = "phong-blinn-gotanda";
-  return {
-      {"factor_" + printed(limit), "factor " + printed(limit), Look::first,
-       [](const Fit&) { return constant<double>(printed(limit)); }},
-      {"factor_" + printed(somewhere), "factor " + printed(somewhere), Look::third,
-       [](const Fit&) { return constant<double>(printed(somewhere)); }},
-      {"best_factor", "best factor", Look::second, [](const Fit& fit) { return fit.parameters.front(); }}};
+  const auto factor = [](const std::string& x, Look look) -> Approximation {
+    return {"factor_" + x, "factor " + x, look,
+            [value = constant<double>(x)](const Fit& fit, const Cosine<double>& c) {
+              return blinn_lobe<long double>(c.one_minus_cos, *fit.exponent, value);
+            }};
+  };
+  return {factor(printed("phong-blinn-fisher-woo"), Look::first),
+          factor(printed("phong-blinn-gotanda"), Look::third),
+          {"best_factor", "best factor", Look::second, [](const Fit& fit, const Cosine<double>& c) {
+             return blinn_lobe<long double>(c.one_minus_cos, *fit.exponent, fit.parameters.front());
+           }}};
 }
 
 Figure factor_figure(const Refit& refit) {
@@ -228,32 +228,35 @@ Figure factor_figure(const Refit& refit) {
       best_parameter_table(refit));
 }
 
-Figure factor_error_figure(const std::vector<const Fit*>& fits) {
-  return error_figure(
-      "phong-blinn-errors",
-      "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.",
-      "phong-blinn",
-      "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
-      "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
-      fits, blinn_approximations(), "ρ");
-}
-
 }  // namespace
 
 std::vector<Figure> gaussian_figures(const Refit& refit) {
   // Low, medium and high: the lowest in use, the end of the published mean, a glossy surface.
   const auto fits = fits_at(refit, {2, 15, 100});
-  std::vector<Figure> figures;
-  if (!fits.empty()) figures = {gaussian_lobe_figure(fits), gaussian_error_figure(fits)};
-  figures.push_back(offset_figure(refit));
-  return figures;
+  if (fits.empty()) return {offset_figure(refit)};
+  return {
+      gaussian_lobe_figure(fits),
+      error_figure(
+          "lobe-errors", "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.",
+          "sg-offset",
+          "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
+          "errors where the lobe is at least 1/255, and up to 100 %.",
+          fits, gaussian_approximations(), "k"),
+      offset_figure(refit)};
 }
 
 std::vector<Figure> phong_blinn_figures(const Refit& refit) {
   const auto fits = fits_at(refit, {2, 8, 128});
-  std::vector<Figure> figures{factor_figure(refit)};
-  if (!fits.empty()) figures.push_back(factor_error_figure(fits));
-  return figures;
+  if (fits.empty()) return {factor_figure(refit)};
+  return {
+      factor_figure(refit),
+      error_figure(
+          "phong-blinn-errors",
+          "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.",
+          "phong-blinn",
+          "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
+          "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
+          fits, blinn_approximations(), "ρ")};
 }
 
 }  // namespace shadefit

@@ -56,7 +56,7 @@ double degrees_of(const Cosine<double>& cosine) {
 }
 
 std::string printed(std::string_view id) {
-  if (const Published* found = find_published(id)) return std::string(found->printed);
+  if (const Published* found = find_published(id)) return found->printed;
   throw std::logic_error("no constant was published as " + std::string(id));
 }
 

@@ -7,7 +7,6 @@
 
 #include "approx/cosine.hpp"
 #include "fit/verdicts/refit.hpp"
-#include "reports/figures/figure.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/table.hpp"
 

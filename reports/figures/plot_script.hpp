@@ -2,12 +2,14 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/io/table.hpp"
 
-/// Writes a script for gnuplot from a description of panels and curves. All figures share one style: a white
-/// ground, a light grid, one legend below, colours that colour-blind readers can tell apart.
+/// Figures of the report: numbers, and how to draw them. A script for gnuplot is written from a description
+/// of panels and curves. All figures share one style: a white ground, a light grid, one legend below, colours
+/// that colour-blind readers can tell apart.
 namespace shadefit {
 
 /// The look of a line; its number is the line style in the script.
@@ -62,6 +64,15 @@ struct Plot {
   int columns;        ///< panels stand row by row
   int panel_height;   ///< in pixels; the width of the whole is always the same
   std::vector<Panel> panels;
+};
+
+/// The files in `plots/` with one name: data, script and, once drawn, the picture.
+struct Figure {
+  std::string name;         ///< "lobe": lobe.csv, lobe.gnuplot, lobe.svg
+  std::string_view family;  ///< the family in whose section the report shows it
+  std::string caption;      ///< one sentence
+  Table data;
+  std::string script;  ///< of gnuplot; reads NAME.csv beside it
 };
 
 /// The script: run in the directory of its data, it writes NAME.svg. Long titles and labels of the legend

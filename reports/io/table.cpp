@@ -70,6 +70,10 @@ Table transposed(const Table& table) {
   return result;
 }
 
+std::string in_digits(double value, int digits) {
+  return text(Number{value, digits}, Precision::report);
+}
+
 Cell word(std::string_view text) {
   return std::string(text);
 }

@@ -43,6 +43,9 @@ enum class Precision {
 /// it.
 std::string text(const Cell& cell, Precision precision);
 
+/// A number with so many digits, as a report prints it.
+std::string in_digits(double value, int digits);
+
 Cell word(std::string_view text);
 
 /// The table with `count` columns from `first` on as one column of texts: "a = 1, b = 2".

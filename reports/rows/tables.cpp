@@ -10,32 +10,30 @@ namespace {
 
 /// The published number, its difference from the fit, and the verdict; empty if nothing was published.
 struct PublishedCells {
-  Cell published, deviation, verdict, max_abs_error, source;
+  Cell published, deviation, verdict, source;
 };
 
-PublishedCells published_cells(const Refit& refit, const FitReport* report, std::size_t parameter,
-                               const Assessment* assessment) {
+PublishedCells published_cells(const Assessment* assessment) {
   if (assessment == nullptr) return {};
   const double printed = constant<double>(assessment->published->printed);
-  PublishedCells cells{word(assessment->published->printed),
-                       difference(assessment->computed - printed, assessment->computed),
-                       word(name(assessment->judgement.verdict)),
-                       {},
-                       word(citation(assessment->published->source))};
-  if (report != nullptr) {
-    // The error of the curve as published: all the parameters that the same source prints together.
-    auto parameters = report->fit.parameters;
-    for (const Assessment& other : report->assessments) {
-      const auto i = parameter_index(*refit.family, other.published->parameter);
-      const bool is_same_source = other.published->source.place == assessment->published->source.place;
-      if (i != parameter && is_same_source) parameters[i] = constant<double>(other.published->printed);
-    }
-    parameters[parameter] = printed;
-    cells.max_abs_error =
-        converged(refit.family->max_abs_error(setting_of(report->fit), report->fit.metric.domain, parameters)
-                      .magnitude);
-  }
-  return cells;
+  return {word(assessment->published->printed),
+          difference(assessment->computed - printed, assessment->computed),
+          word(name(assessment->judgement.verdict)), word(citation(assessment->published->source))};
+}
+
+/// The error of the curve as published: all the parameters that the same source prints together.
+Cell error_as_published(const Refit& refit, const FitReport& report, const Assessment* assessment) {
+  if (assessment == nullptr) return {};
+  auto parameters = report.fit.parameters;
+  const auto take = [&](const Published& number) {
+    parameters[parameter_index(*refit.family, number.parameter)] = constant<double>(number.printed);
+  };
+  for (const Assessment& other : report.assessments)
+    if (other.published->source.place == assessment->published->source.place) take(*other.published);
+  take(*assessment->published);
+  return converged(
+      refit.family->largest_error(setting_of(report.fit), {.domain = report.fit.metric.domain}, parameters)
+          .magnitude);
 }
 
 std::vector<Cell> row_start(const Refit& refit, const std::string& parameter,
@@ -47,32 +45,24 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
   row.insert(row.end(), cells);
 }
 
-/// "least-squares", and the unusual parts of the objective: "minimax, relative error, b = -7".
-std::string norm_text(const Metric& metric) {
-  std::string text(name(metric.norm));
-  if (metric.error != Error::absolute) text += fmt::format(", {} error", name(metric.error));
-  if (!metric.weight.empty()) text += ", weight " + metric.weight;
-  return text + describe(metric.constraints);
-}
-
-void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
-                   const std::string& target) {
-  append(row, {target, to_text(refit.family->form), to_text(metric.domain), word(name(metric.measure)),
-               norm_text(metric)});
+void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric) {
+  append(row, {to_text(refit.family->target), to_text(refit.family->form), to_text(metric.domain),
+               word(name(metric.measure)), word(name(metric.norm))});
 }
 
 void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, std::size_t parameter,
                  const Assessment* assessment) {
   const Fit& fit = report.fit;
   const bool is_answer = fit.status == Status::converged;
-  const auto cells = published_cells(refit, &report, parameter, assessment);
+  const auto cells = published_cells(assessment);
   auto row = row_start(refit, std::string(refit.family->parameters[parameter]), fit.exponent);
   append(row, {cells.published, is_answer ? converged(fit.parameters[parameter]) : Cell(), cells.deviation,
                is_answer ? cells.verdict : word(name(fit.status))});
-  append_metric(row, refit, fit.metric, target_of(fit));
+  append_metric(row, refit, fit.metric);
   if (is_answer)
-    append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
-                 place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
+    append(row,
+           {converged(fit.rms_error), converged(fit.max_abs_error.magnitude), place(fit.max_abs_error.at),
+            error_as_published(refit, report, assessment), static_cast<long>(fit.digits)});
   row.resize(out.table.columns.size() - 1);
   row.push_back(cells.source);
   out.table.rows.push_back(row);
@@ -87,12 +77,12 @@ std::string derived_parameter(const Published& published) {
 }
 
 void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& assessment) {
-  const auto cells = published_cells(refit, nullptr, 0, &assessment);
+  const auto cells = published_cells(&assessment);
   const auto& range = assessment.holds_for;
   auto row = row_start(refit, derived_parameter(*assessment.published),
                        range ? std::optional(range->exactly) : std::nullopt);
   append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
-  append_metric(row, refit, assessment.metric, to_text(refit.family->target));
+  append_metric(row, refit, assessment.metric);
   append(row, {{}, {}, {}, {}, {}, cells.source});
   out.table.rows.push_back(row);
   out.origins.push_back({&refit, nullptr, 0});
@@ -189,20 +179,6 @@ Table summary_table(const Results& results) {
          {}});
   }
   return table;
-}
-
-std::string target_of(const Family& family, const Surface& surface) {
-  const std::string formula = to_text(family.target);
-  if (!surface.is_named()) return formula;
-  const std::string index = surface.extinction == 0
-                                ? fmt::format("n = {}", surface.ior)
-                                : fmt::format("n = {}, k = {}", surface.ior, surface.extinction);
-  if (!surface.is_exact()) return fmt::format("{}, f0 of {}", formula, index);
-  return fmt::format("exact {} {}", surface.extinction == 0 ? "dielectric" : "conductor", index);
-}
-
-std::string target_of(const Fit& fit) {
-  return target_of(*fit.family, fit.surface);
 }
 
 }  // namespace shadefit

@@ -31,8 +31,4 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks);
 /// Every published number and its verdict: the summary of the report and of the console.
 Table summary_table(const Results& results);
 
-/// The target of a fit: the family's target, its surface, or the exact reflectance of the surface.
-std::string target_of(const Fit& fit);
-std::string target_of(const Family& family, const Surface& surface);
-
 }  // namespace shadefit

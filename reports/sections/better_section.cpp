@@ -13,7 +13,7 @@ namespace shadefit {
 namespace {
 
 std::string off_by(const StudyContender& contender) {
-  return fmt::format("off by {} in {}", text(Number{contender.max_error.magnitude, 4}, Precision::report),
+  return fmt::format("off by {} in {}", in_digits(contender.max_error.magnitude, 4),
                      contender.operations.total());
 }
 

@@ -49,26 +49,21 @@ std::string surface_text(const OpticalConstants& surface) {
                      surface.extinction);
 }
 
-Cell error(double value) {
-  return Number{value, 3};
-}
-
-Cell percent(double value) {
-  return Number{100 * value, 3};
-}
-
-/// The absolute error, the relative error and the codes; nothing without a curve.
-std::vector<Cell> error_cells(const FresnelLink& link, const ReflectanceError& errors) {
-  if (link.status != Status::converged) return {{}, {}, {}};
-  return {error(errors.absolute.magnitude), percent(errors.relative.magnitude), error(errors.srgb_codes)};
-}
-
+/// The curve, then the absolute error, the relative error and the codes from either reference. Schlick's
+/// formula has none from itself, and a refit that failed has none.
 std::vector<Cell> chain_row(const FresnelLink& link) {
+  constexpr int digits = 3;
   std::vector<Cell> row{curve_text(link)};
-  const bool is_schlick = link.family == nullptr;
-  for (const Cell& cell : is_schlick ? std::vector<Cell>(3) : error_cells(link, link.from_schlick))
-    row.push_back(cell);
-  for (const Cell& cell : error_cells(link, link.from_exact)) row.push_back(cell);
+  for (const ReflectanceError* errors : {&link.from_schlick, &link.from_exact}) {
+    const bool is_from_itself = link.family == nullptr && errors == &link.from_schlick;
+    if (link.status == Status::converged && !is_from_itself) {
+      row.insert(row.end(),
+                 {Number{errors->absolute.magnitude, digits},
+                  Number{100 * errors->relative.magnitude, digits}, Number{errors->srgb_codes, digits}});
+    } else {
+      row.resize(row.size() + 3);
+    }
+  }
   return row;
 }
 

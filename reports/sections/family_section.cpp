@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/phong_blinn.hpp"
 #include "fit/catalogue/family.hpp"
@@ -125,10 +126,15 @@ Table sweep_overview(const Refit& refit) {
                            place(first.max_abs_error.at)});
     if (mean != nullptr) {
       const std::array fixed{constant<double>(mean->printed)};
-      row.push_back(Number{refit.family->max_abs_error(*first.exponent, {}, fixed).magnitude, 4});
+      row.push_back(Number{refit.family->largest_error(*first.exponent, {}, fixed).magnitude, 4});
     }
   }
   return table;
+}
+
+/// The largest error of a fit relative to the reflectance.
+Extremum relative_error_of(const Fit& fit) {
+  return fit.family->largest_error(setting_of(fit), {.error = Error::relative}, fit.parameters);
 }
 
 /// One row per measure.
@@ -141,9 +147,10 @@ Table single_overview(const Refit& refit) {
     const Fit& fit = report.fit;
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(name(fit.metric.measure))});
     for (const double p : fit.parameters) row.push_back(converged(p));
-    row.insert(row.end(), {Number{fit.rms_error, 4}, Number{fit.max_abs_error.magnitude, 4},
-                           place(fit.max_abs_error.at), Number{fit.max_rel_error->magnitude, 4},
-                           place(fit.max_rel_error->at), static_cast<long>(fit.digits)});
+    const Extremum relative = relative_error_of(fit);
+    row.insert(row.end(),
+               {Number{fit.rms_error, 4}, Number{fit.max_abs_error.magnitude, 4}, place(fit.max_abs_error.at),
+                Number{relative.magnitude, 4}, place(relative.at), static_cast<long>(fit.digits)});
   }
   return table;
 }
@@ -160,8 +167,7 @@ std::string variants_section(const Refit& refit) {
       auto from = best.parameters, to = from;
       from[i] = constant<double>(published.printed);
       to[i] = constant<double>(variant.printed);
-      table.rows.push_back({std::string(published.id), std::string(published.printed),
-                            std::string(variant.printed), std::string(variant.seen_in),
+      table.rows.push_back({published.id, published.printed, variant.printed, variant.seen_in,
                             sentence(family.effect(setting_of(best), best.metric.domain, from, to))});
     }
   }
@@ -224,11 +230,12 @@ std::string sweep_words(const Refit& refit) {
 
 std::string single_words(const Refit& refit) {
   const Fit& fit = refit.fits.front().fit;
+  const Extremum relative = relative_error_of(fit);
   return fmt::format(
       "Under the {} measure the best curve is off by at most {:.3g} at c = {:.3g}. A shader shows "
-      "{}: the largest relative error of F is {:.3g}, at c = {:.3g}.\n\n",
-      name(fit.metric.measure), fit.max_abs_error.magnitude, fit.max_abs_error.at.cos_theta, fit.relative_to,
-      fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
+      "F = f0 + (1 - f0) f, f0 = {}: the largest relative error of F is {:.3g}, at c = {:.3g}.\n\n",
+      name(fit.metric.measure), fit.max_abs_error.magnitude, fit.max_abs_error.at.cos_theta, reference_f0,
+      relative.magnitude, relative.at.cos_theta);
 }
 
 /// The two formulas as text and as mathematics, and the operations of a shader for each.

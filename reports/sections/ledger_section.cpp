@@ -9,6 +9,7 @@
 #include "reports/rows/citation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/sections/prose.hpp"
+#include "reports/sections/sections.hpp"
 
 namespace shadefit {
 namespace {
@@ -37,6 +38,24 @@ std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& cl
     const std::string_view name = claim->figure;  // clang 14 captures no structured binding
     const bool is_drawn = std::ranges::find(figures, name, &Figure::name) != figures.end();
     if (is_drawn) out += fmt::format("  - Plot: [{0}](plots/{0}.svg).\n", claim->figure);
+  }
+  return out + "\n";
+}
+
+std::string without_full_stop(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+std::string news_of(const std::vector<JudgedClaim>& claims, std::string_view lead) {
+  if (claims.empty()) return "";
+  std::string out = fmt::format("{}\n\n", lead);
+  for (const auto& [topic, claim, finding] : claims) {
+    const bool is_refuted = finding.verdict == Verdict::refuted;
+    out += fmt::format("- [`{}`](#{}) ({}): {}.\n  - Found: {}.\n  - Effect: {}.\n", claim->id,
+                       anchor(topic->title), linked(claim->source), with_mathematics(claim->statement),
+                       is_refuted ? finding.evidence : finding.computed,
+                       without_full_stop(sentences_of(finding.effect).front()));
   }
   return out + "\n";
 }
@@ -101,6 +120,20 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
   }
   return fmt::format("{} {}: {}", claims.size(), claims.size() == 1 ? "claim" : "claims",
                      fmt::join(words, ", "));
+}
+
+std::vector<JudgedClaim> claims_with(const std::vector<JudgedClaim>& claims, Verdict verdict) {
+  std::vector<JudgedClaim> found;
+  std::ranges::copy_if(claims, std::back_inserter(found),
+                       [&](const JudgedClaim& judged) { return judged.finding.verdict == verdict; });
+  return found;
+}
+
+std::string news_section(const std::vector<JudgedClaim>& claims) {
+  return fmt::format("## News\n\nWe judged {}. [How to read it](#how-to-read-it) explains the words.\n\n",
+                     verdict_counts(claims)) +
+         news_of(claims_with(claims, Verdict::refuted), "**Refuted:**") +
+         news_of(claims_with(claims, Verdict::conditional), conditional_lead);
 }
 
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/ledger/ledger.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/io/table.hpp"
 #include "reports/io/writers.hpp"
 

@@ -16,10 +16,6 @@ Cell angle(double degrees) {
   return Number{degrees, 6};
 }
 
-std::string angle_text(double degrees) {
-  return text(Number{degrees, 4}, Precision::report);
-}
-
 /// A reflectance for people.
 Cell rounded(double reflectance) {
   return Number{reflectance, 6};
@@ -85,14 +81,14 @@ std::string energy_sentence(const Normalisation& record, const Curves& curves) {
     if (curve->conserves_from) creating.push_back(curve);
   }
   const std::string peak =
-      fmt::format("{} at {} degrees for a = {}", text(rounded(largest), Precision::report),
-                  angle_text(worst.front()->largest_with_cosine.view_angle), exponents_text(worst));
+      fmt::format("{} at {} degrees for a = {}", in_digits(largest, 6),
+                  in_digits(worst.front()->largest_with_cosine.view_angle, 4), exponents_text(worst));
   if (creating.empty()) {
     return fmt::format("- `{}` creates no energy for a = {}: its reflectance with n.l is at most {}.\n",
                        record.id, exponents_text(curves), peak);
   }
   const std::string where = joined(creating, ", ", [](const auto* curve) {
-    return fmt::format("below {} degrees for a = {}", angle_text(*curve->conserves_from), curve->exponent);
+    return fmt::format("below {} degrees for a = {}", in_digits(*curve->conserves_from, 4), curve->exponent);
   });
   return fmt::format("- `{}` creates energy: {}. Its reflectance is largest, {}.\n", record.id, where, peak);
 }

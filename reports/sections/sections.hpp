@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/better/results.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/io/table.hpp"
 
 /// The parts of the report.

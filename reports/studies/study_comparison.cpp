@@ -77,8 +77,8 @@ std::string gain_text(const StudyComparison& comparison, const StudyContender& p
   const std::size_t row = place_of(comparison, published) + 1;
   const double least = better.max_error.magnitude;
   if (least < rounding_alone) return fmt::format("exact, unlike row {}", row);
-  return fmt::format("{} times as accurate as row {}",
-                     text(Number{published.max_error.magnitude / least, 3}, Precision::report), row);
+  return fmt::format("{} times as accurate as row {}", in_digits(published.max_error.magnitude / least, 3),
+                     row);
 }
 
 std::string cost_text(const StudyContender& published, const StudyContender& better) {

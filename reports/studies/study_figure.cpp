@@ -90,9 +90,7 @@ std::string range_of(const StudyAxis& axis) {
 /// "g = 0.5", or the constants of the only fit.
 std::string label_of(const FittedStudy& study) {
   if (!study.asked().given.empty()) return given_text(study.asked());
-  return equations(study.fit.names, study.fit.parameters, [](double value) {
-    return text(Number{value, 7}, Precision::report);
-  });
+  return equations(study.fit.names, study.fit.parameters, [](double value) { return in_digits(value, 7); });
 }
 
 /// The slices of the figure, at most four, with their labels: of each fit, or of the first at several values
@@ -106,7 +104,7 @@ std::vector<std::pair<Slice, std::string>> slices_of(const std::vector<FittedStu
       continue;
     }
     for (const double level : drawn_levels(study.read)) {
-      const std::string value = text(Number{level, 4}, Precision::report);
+      const std::string value = in_digits(level, 4);
       slices.push_back({{&study.read, &study.fit.parameters, {level}},
                         fmt::format("{} = {}", study.read.axes[1].variable, value)});
     }
@@ -203,7 +201,7 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   const FittedStudy& study = studies.front();
   if (studies.size() == 1 && first.axes.size() == 1 && study.fit.level) {
     append_contacts(study, slices.front().first, table);
-    const std::string level = text(Number{*study.fit.level, 4}, Precision::report);
+    const std::string level = in_digits(*study.fit.level, 4);
     errors.levels = {{level, "level " + level}, {"-" + level, ""}};
     errors.curves.push_back({"contact", "contacts", Look::second, false, true, false});
   }
@@ -238,8 +236,8 @@ Figure better_study_figure(const StudyComparison& comparison) {
   // Of two variables: at the value of the second where the first curve has its largest error.
   std::vector<double> fixed(shown.front()->max_error.at.begin() + 1, shown.front()->max_error.at.end());
   if (!fixed.empty())
-    panel.title += for_gnuplot(fmt::format("   at {} = {}", comparison.variables[1],
-                                           text(Number{fixed.front(), 4}, Precision::report)));
+    panel.title +=
+        for_gnuplot(fmt::format("   at {} = {}", comparison.variables[1], in_digits(fixed.front(), 4)));
   std::vector<ReadStudy> read;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     read.push_back(formulas_of(comparison, *shown[i]));

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fit/better/better_study.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/studies/study_rows.hpp"
 
 /// The figures of a study of one or two variables. Throw UserError for more.

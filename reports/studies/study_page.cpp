@@ -71,7 +71,7 @@ std::string line_in_words(const StudyComparison& comparison, const std::optional
   const std::string& first = comparison.variables.front();
   if (!y) return first;
   return fmt::format("{}, at {} = {}, where the published values are off by the most codes", first,
-                     comparison.variables[1], text(Number{*y, 3}, Precision::report));
+                     comparison.variables[1], in_digits(*y, 3));
 }
 
 std::string ramps(const StudyComparison& comparison, const std::vector<const StudyContender*>& contenders) {

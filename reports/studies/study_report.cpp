@@ -52,14 +52,13 @@ std::string trials_text(const StudyJudgement& judgement) {
 /// "0.018 (as a linear grey 4.6 codes of 8-bit sRGB, 37 ulps of half)": the largest of each, sampled.
 std::string effect_text(const StudyComparison& comparison, const StudyContender& contender) {
   const Effect& effect = contender.effect;
-  const auto three = [](double value) { return text(Number{value, 3}, Precision::report); };
   std::string codes;
   if (contender.is_shown)
-    codes =
-        fmt::format("{}{} codes of 8{}, ", comparison.is_encoded ? "" : "as a linear grey ",
-                    three(codes_of(comparison, contender)), comparison.is_encoded ? " bits" : "-bit sRGB");
-  return fmt::format("{} ({}{} ulps of half)", three(effect.absolute.magnitude), codes,
-                     three(effect.half_ulps));
+    codes = fmt::format("{}{} codes of 8{}, ", comparison.is_encoded ? "" : "as a linear grey ",
+                        in_digits(codes_of(comparison, contender), 3),
+                        comparison.is_encoded ? " bits" : "-bit sRGB");
+  return fmt::format("{} ({}{} ulps of half)", in_digits(effect.absolute.magnitude, 3), codes,
+                     in_digits(effect.half_ulps, 3));
 }
 
 /// "0.0090127 to 0.0090128, by 143 boxes".
@@ -135,7 +134,7 @@ std::vector<OthersText> published_lines(const PublishedSet& set,
     for (const JudgedError& judged : contender->claims)
       lines.push_back(fmt::format("{}{}: stated {}, computed {}: {}", words_of(judged.claim.error),
                                   ranges_text(judged.claim.over), judged.claim.printed,
-                                  text(Number{judged.computed, 4}, Precision::report), name(judged.verdict)));
+                                  in_digits(judged.computed, 4), name(judged.verdict)));
   }
   OthersText places;
   for (const OthersText& place : set.where) places += (places.empty() ? "" : "; ") + place;

@@ -6,7 +6,7 @@
 
 #include "fit/better/better_study.hpp"
 #include "fit/catalogue/study_file.hpp"
-#include "reports/figures/figure.hpp"
+#include "reports/figures/plot_script.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/writers.hpp"
 

@@ -78,7 +78,7 @@ TEST_P(GlobalSearch, FindsNothingBetterThanWhatIsCalledConverged) {
     const double stated = drawn.is_minimax ? fit.level.value() : fit.rms_error;
     EXPECT_NEAR(stated, own, own * tolerance + rounding) << what;
     const double largest =
-        drawn.is_relative ? fit.max_rel_error.value().magnitude : fit.max_abs_error.magnitude;
+        family.largest_error(setting_of(drawn), metric_of(drawn), fit.parameters).magnitude;
     EXPECT_LE(fit.rms_error, largest * (1 + 1e-9) + rounding) << what;
   }
   if (asked == nullptr) return;

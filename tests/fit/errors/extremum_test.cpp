@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/catalogue/family.hpp"
+#include "fit/catalogue/near_peak.hpp"
 #include "tests/accuracy.hpp"
 
 namespace shadefit {
@@ -58,7 +59,7 @@ TEST(Extremum, SeesANarrowSpikeAtThePeak) {
 // Reference: Sollya at 200 bits, and two 50-digit methods, for the published pair.
 TEST(Extremum, PublishedFresnelPair) {
   const std::vector<double> pair{-5.55473, -6.98316};
-  const auto found = find_family("fresnel-quadratic")->max_abs_error(0, {}, pair);
+  const auto found = find_family("fresnel-quadratic")->largest_error(0, {}, pair);
   // the error is a difference of numbers near 0.75: 1e-16 of them is 3e-14 of it
   EXPECT_TRUE(is_close("pair", Decimal50("3.7664127395073188128e-3"), found.magnitude, 1e-13));
   // a maximum has half of the digits of a double, and a parabola through values beside it two more
@@ -87,18 +88,19 @@ TEST(Extremum, IsTheLargestOfADenseScan) {
 // The relative error of the Gaussian at the place where the lobe has fallen to 1/255: 255 exp(-(k+x) y) - 1,
 // with y = 1 - exp(-log(255)/k), in 50 digits.
 TEST(Extremum, RelativeErrorOfTheLobe) {
+  const Family& family = *find_family("sg-offset");
+  const Metric relative{.error = Error::relative};
   for (const double k : {0.0079, 0.1, 1.0, 5.0, 1e6, 1e12, 1e15}) {
-    const Fit fit = find_family("sg-offset")->fit(k, {});
-    ASSERT_TRUE(fit.max_rel_error.has_value()) << k;
+    const Fit fit = family.fit(k, {});
+    const Extremum largest = family.largest_error(k, relative, fit.parameters);
     const Decimal50 y = -expm1(-log(Decimal50(255)) / k);
     // 255 exp(-(k+x)y) - 1 as expm1 of its logarithm: at large k the terms cancel to 1/k of themselves
     const Decimal50 truth = expm1(log(Decimal50(255)) - (k + Decimal50(fit.parameters[0])) * y);
-    EXPECT_TRUE(is_close(std::to_string(k), truth, fit.max_rel_error->magnitude, 1e-12));
-    EXPECT_GE(fit.max_rel_error->at.cos_theta, fit.relative_domain.lower);
+    EXPECT_TRUE(is_close(std::to_string(k), truth, largest.magnitude, 1e-12));
+    EXPECT_GE(largest.at.cos_theta, where_lobe_is_visible(k)->cos_theta);
   }
-  const Fit tiny = find_family("sg-offset")->fit(1e-3, {});
-  EXPECT_FALSE(tiny.max_rel_error.has_value()) << "1/255 is reached at exp(-5541) only";
-  EXPECT_EQ(tiny.status, Status::converged);
+  EXPECT_FALSE(study_of(family, 1e-3, relative)) << "1/255 is reached at exp(-5541) only";
+  EXPECT_EQ(family.fit(1e-3, {}).status, Status::converged);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "fit/rounding/evaluate_study.hpp"
 #include "fit/rounding/every_number.hpp"
 #include "fit/rounding/study_lattice.hpp"
 #include "reports/io/csv.hpp"

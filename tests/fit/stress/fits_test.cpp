@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/squares/prepared_study.hpp"
 #include "fit/stress/numbers.hpp"
@@ -21,8 +21,7 @@ TEST(FitsUnderStress, DoNotDependOnTheirStarts) {
   int converged = 0;
   for (const Fit& own : fits_under_stress(keep_going)) {
     const Domain& domain = own.metric.domain;
-    const auto ends = ends_of(*own.family, setting_of(own), domain, Error::absolute);
-    PreparedStudy study(near_peak(study_of(*own.family, setting_of(own), own.metric, ends.value())));
+    PreparedStudy study(near_peak(study_of(*own.family, setting_of(own), own.metric).value()));
     const auto box = own.family->starts_of(setting_of(own));
     for (int fit = 0; fit < 12; ++fit) {
       std::vector<double> start;

@@ -175,8 +175,8 @@ TEST(FitCache, TellsMetricsApart) {
 }
 
 /// A family whose fit fails under the angle measure alone.
-Fit fails_in_the_angle(const Setting& setting, const Metric& metric) {
-  Fit fit = find_family("sg-offset")->fit(setting, metric);
+Fit fails_in_the_angle(double exponent, const Metric& metric) {
+  Fit fit = find_family("sg-offset")->fit(exponent, metric);
   if (metric.measure == Measure::angle) fit.status = Status::not_converged;
   return fit;
 }
@@ -193,9 +193,9 @@ TEST(Assess, AFailureUnderAnotherMeasureTakesNothingAway) {
 
 TEST(Refit, DoesNotJudgeByAFitThatFailed) {
   FitCache fits(*find_family("sg-offset"));
-  const auto reports = fit_and_assess(fits, {1e160}, cosine_and_angle);
-  EXPECT_NE(reports[0].fit.status, Status::converged);
-  EXPECT_TRUE(reports[0].assessments.empty());
+  const auto result = refit(fits, {1e160}, {}, cosine_and_angle);
+  EXPECT_NE(result.fits[0].fit.status, Status::converged);
+  EXPECT_TRUE(result.fits[0].assessments.empty());
 }
 
 // On a domain that leaves the peak out the best offset grows without bound: no limit may pass for one.

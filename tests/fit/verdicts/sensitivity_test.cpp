@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/catalogue/catalogue_study.hpp"
+#include "fit/catalogue/family.hpp"
 #include "fit/catalogue/fit_study.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/squares/rules.hpp"
@@ -33,10 +33,7 @@ struct Fitted {
 Fitted fitted(std::string_view id, const Metric& metric = {}, double exponent = 0) {
   const Family& family = *find_family(id);
   Fitted of{.what = std::string(id) + ", " + describe(metric), .asked = {}, .fit = {}, .objective = {}};
-  of.asked = {.words = of.what,
-              .study = study_of(family, exponent, metric,
-                                ends_of(family, exponent, metric.domain, metric.error).value()),
-              .norm = metric.norm};
+  of.asked = {.words = of.what, .study = study_of(family, exponent, metric).value(), .norm = metric.norm};
   of.fit = fit_study(of.asked);
   of.objective = [norm = metric.norm,
                   read = read_study(near_peak(of.asked.study))](const std::vector<double>& at) {

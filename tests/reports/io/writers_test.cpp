@@ -224,8 +224,8 @@ TEST(FitsTable, PublishedNumbersHaveDeviationVerdictAndTheirOwnError) {
 
 TEST(FitsTable, AFitThatFailedHasItsStatusAndNoNumbers) {
   FitCache fits(*find_family("sg-offset"));
-  const Refit refit{&fits.family(), {}, fit_and_assess(fits, {1e160}, std::array{Metric{}}), {}};
-  const auto csv = parse_csv(write_csv(fits_table({refit}).table, Precision::full), "fits");
+  const Refit failed = refit(fits, {1e160}, {}, std::array{Metric{}});
+  const auto csv = parse_csv(write_csv(fits_table({failed}).table, Precision::full), "fits");
   ASSERT_EQ(csv.rows.size(), 1U);
   EXPECT_EQ(csv.rows[0][4], "");
   EXPECT_EQ(csv.rows[0][6], "degenerate");
