@@ -97,6 +97,15 @@ void multiply_weight(Study& study, const std::string& weight) {
   study.weight = study.weight == "1" ? weight : "(" + weight + ") (" + study.weight + ")";
 }
 
+std::string contradiction_of(double rms_error, double largest_error) {
+  constexpr double rounding = 1e-15;  // a few ulps at 1, the largest value of forms and targets
+  if (!std::isfinite(largest_error)) return "the largest error is infinite";
+  // Errors that differ by less count as equal in the search.
+  if (rms_error <= largest_error * (1 + equal_extrema) + rounding) return "";
+  return "the rms error " + to_text(rms_error) + " exceeds the largest error found, " +
+         to_text(largest_error) + ": one of them is wrong";
+}
+
 std::vector<std::vector<Held>> Family::starts_of(const Setting& setting) const {
   const Surface& surface = setting.surface;
   const bool is_inside = surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior;
@@ -125,8 +134,14 @@ Fit Family::fit(const Setting& setting, const Metric& metric) const {
           .metric = metric};
   if (has_exponent()) fit.exponent = setting.exponent;
   if (is_fresnel) fit.surface = setting.surface;
+  if (fit.status != Status::converged) return fit;
   const Metric plain{.domain = metric.domain, .constraints = metric.constraints};
-  if (fit.status == Status::converged) fit.max_abs_error = largest_error(setting, plain, fit.parameters);
+  fit.max_abs_error = largest_error(setting, plain, fit.parameters);
+  const bool is_plain = metric.error == Error::absolute && metric.weight.empty();
+  fit.why = contradiction_of(
+      fit.rms_error,
+      is_plain ? fit.max_abs_error.magnitude : largest_error(setting, metric, fit.parameters).magnitude);
+  if (!fit.why.empty()) fit.status = Status::not_converged;
   return fit;
 }
 

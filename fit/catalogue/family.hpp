@@ -79,6 +79,10 @@ struct Family {
   std::vector<std::vector<Held>> starts_of(const Setting& setting) const;
 };
 
+/// Why two errors of one curve are no answer: a root mean square is never above the largest magnitude, and
+/// that is finite. Empty if they are one. So the search and the quadrature check each other.
+std::string contradiction_of(double rms_error, double largest_error);
+
 /// The setting that a fit was made with.
 inline Setting setting_of(const Fit& fit) {
   return {fit.exponent.value_or(0), fit.surface};

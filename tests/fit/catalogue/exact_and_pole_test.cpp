@@ -66,6 +66,18 @@ TEST(Pole, AConstraintThatOnlyAPoleMeets) {
   EXPECT_EQ(fit.status, Status::at_border) << fit.why;
 }
 
+// rms <= max of one error; the search and the quadrature are each other's check.
+TEST(Errors, TheRootMeanSquareIsNeverAboveTheLargest) {
+  EXPECT_EQ(contradiction_of(0.1, 0.2), "");
+  EXPECT_EQ(contradiction_of(0.2, 0.2), "");
+  EXPECT_EQ(contradiction_of(1e-16, 0), "") << "rounding";
+  EXPECT_EQ(contradiction_of(0.02, HUGE_VAL), "the largest error is infinite");
+  const std::string why = contradiction_of(4.995, 0.2766);
+  EXPECT_NE(why.find("4.995"), std::string::npos) << why;
+  EXPECT_NE(why.find("0.2766"), std::string::npos) << why;
+  EXPECT_NE(contradiction_of(0.2000001, 0.2), "");
+}
+
 // Below the critical cosine all is reflected: the target is 1 = exp2(0).
 TEST(ExactFit, TotalReflectionIsMetByZeros) {
   const Setting setting{0, exact_surface(0.853)};
