@@ -1,10 +1,11 @@
-#include "fit/steps/minimax.hpp"
+#include "fit/panels/minimax.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "fit/steps/contacts.hpp"
+#include "fit/panels/contacts.hpp"
+#include "fit/panels/panel_curve.hpp"
 #include "fit/steps/digits.hpp"
 
 namespace shadefit {
@@ -186,9 +187,8 @@ class RemezExchange {
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
         Contact& c = reference_[i];
         c = here_.moved(c);
-        const MinimaxCurve& curve = here_.curve_of(c.touch);
         matrix[i] = here_.condition(c).slope;
-        values[i] = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
+        values[i] = here_.curve_of(c.touch).wide(c.place, wide, c.is_tangent);
         level += static_cast<long double>(multipliers_[i] * here_.share_of_level(c) * sign_of(c.touch)) *
                  values[i];
       }
@@ -205,7 +205,7 @@ class RemezExchange {
         lack[i] = sign * (bound - values[i]) + static_cast<long double>(here_.share_of_level(c)) * level;
         const bool is_error = here_.share_of_level(c) > 0;
         if (is_error) rounding_ = std::max(rounding_, std::abs(c.value - static_cast<double>(values[i])));
-        c.value = static_cast<double>(is_error ? values[i] : problem_.error.wide(c.place, wide));
+        c.value = static_cast<double>(is_error ? values[i] : problem_.error->wide(c.place, wide));
       }
       std::array<long double, most_unknowns> step{};
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -38,29 +38,19 @@ struct Along {
   double value, slope, curvature;
 };
 
-/// A function of place and parameters, behind plain functions, so that the solver is the same for every form.
-struct MinimaxCurve {
-  std::function<void(const MinimaxParameters&, std::span<double>)> everywhere;  ///< at the search places
-  std::function<Along(const SearchPlace&, const MinimaxParameters&)> along;
-  /// The value, and its derivatives by the parameters.
-  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
-  std::function<long double(const SearchPlace&, const WideParameters&)> wide;
-  /// The same for the slope into the domain, at s = 0 or 1.
-  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across = nullptr;
-  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope = nullptr;
-};
+class PanelCurve;  // fit/panels/panel_curve.hpp
 
 struct MinimaxProblem {
   std::size_t size = 0;             ///< free parameters
   std::vector<SearchPlace> places;  ///< by panel, then by s
   std::string variable;             ///< its name, for messages
   std::function<Cosine<double>(const SearchPlace&)> cosine_at;
-  MinimaxCurve error;
+  std::shared_ptr<PanelCurve> error = {};
   /// The curve that `at_most` and `at_least` bound, and the curve that is 0 where the form equals its target.
   /// These are the form and its error; for a positive form log(form) and log(form/target), which may be
   /// linear in the parameters.
-  MinimaxCurve bounded = {}, deviation = {};
-  MinimaxCurve sloping = {};  ///< the slope of the form, if `monotone` is set
+  std::shared_ptr<PanelCurve> bounded = {}, deviation = {};
+  std::shared_ptr<PanelCurve> sloping = {};  ///< the slope of the form, if `monotone` is set
   bool is_exponential = false;
   /// Constraints are linear in the parameters: if they cannot be satisfied together at some places, no
   /// parameters satisfy them.
