@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fit/panels/minimax.hpp"
+#include "fit/steps/alternation.hpp"
 #include "fit/steps/linear_programme.hpp"
 
 /// The places where the curves of a minimax problem are extreme or constrained, at given parameters. The

@@ -24,9 +24,11 @@ constexpr double largest_rounding = 0.1;
 class RemezExchange {
  public:
   RemezExchange(const MinimaxProblem& problem, const MinimaxParameters& start)
-      : problem_(problem), here_(problem, start), counted_(start.size()) {}
+      : problem_(problem), here_(problem, start), counted_(start.size()) {
+    result_.level = 0;
+  }
 
-  MinimaxOptimum solve() {
+  StudyFit solve() {
     const std::string why = here_.hold_exact();
     here_.find_tangents();
     if (why.empty() ? descend() : fail(Status::infeasible, why)) settle();
@@ -35,11 +37,7 @@ class RemezExchange {
   }
 
  private:
-  bool fail(Status status, std::string why) {
-    result_.status = status;
-    result_.why = std::move(why);
-    return false;
-  }
+  bool fail(Status status, std::string why) { return shadefit::fail(result_, status, std::move(why)); }
 
   /// The programme has no answer. That is a proof if its conditions are those of the constraints, or if the
   /// parameters do not move the violated ones.
@@ -213,7 +211,7 @@ class RemezExchange {
           step[i] += static_cast<long double>(inverse[i][j]) * lack[j];
       }
       result_.level = static_cast<double>(level + step[problem_.size]);
-      if (!(rounding_ < largest_rounding * result_.level)) {
+      if (!(rounding_ < largest_rounding * *result_.level)) {
         fail(Status::degenerate,
              "the largest error is down to the rounding of the form: it has no alternation");
         return;
@@ -252,7 +250,7 @@ class RemezExchange {
   }
 
   const MinimaxProblem& problem_;
-  MinimaxOptimum result_;
+  StudyFit result_;
   Contacts here_;
   Few<Contact> reference_;
   Unknowns multipliers_{};
@@ -265,7 +263,7 @@ class RemezExchange {
 
 }  // namespace
 
-MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
+StudyFit solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
   return RemezExchange(problem, start).solve();
 }
 

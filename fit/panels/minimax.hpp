@@ -9,9 +9,8 @@
 
 #include "approx/cosine.hpp"
 #include "fit/quadrature/metric.hpp"
-#include "fit/steps/alternation.hpp"
 #include "fit/steps/linear_programme.hpp"
-#include "fit/steps/status.hpp"
+#include "fit/study/study_fit.hpp"
 
 /// Minimax: the parameters for which the largest |weight * error| over the domain is least.
 ///
@@ -62,17 +61,10 @@ struct MinimaxProblem {
   std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
 };
 
-struct MinimaxOptimum {
-  MinimaxParameters parameters{};
-  Status status = Status::not_converged;
-  int digits = 0;    ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
-  double level = 0;  ///< the largest |weight * error|
-  std::vector<AlternationPoint> alternation = {};  ///< in falling order of the cosine
-  std::string why = {};                            ///< where it did not converge, in words
-};
-
-/// Exchanges until the alternation has settled, at most `most_steps`. Never throws for a hard problem.
-MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
+/// Exchanges until the alternation has settled, at most `most_steps`. Never throws for a hard problem. Of the
+/// fit it gives parameters, status, the level, the alternation in falling order of the cosine, and the digits
+/// of the worst parameter, floor(-log10 |Newton step / parameter|) in long double.
+StudyFit solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
 
 /// Three to six are usual. Distant starts need more, because their steps are halved.
 inline constexpr int most_steps = 60;
