@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/proof/bound_width.hpp"
+#include "fit/proof/proof.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"

@@ -6,7 +6,6 @@
 
 #include "fit/bounds/enclosed_error.hpp"
 #include "fit/bounds/study_certificate.hpp"
-#include "fit/proof/bound_width.hpp"
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/support/decimal.hpp"

@@ -191,7 +191,6 @@ StudyIntegral::StudyIntegral(const ReadStudy& study, const Symbolic& integral,
   if (is_smooth) curvature_ = std::make_unique<Panels>(1, tape(twice), tape(twice), jumps, parameters);
 }
 
-StudyIntegral::StudyIntegral(StudyIntegral&&) noexcept = default;
 StudyIntegral::~StudyIntegral() = default;
 
 Interval StudyIntegral::value(std::span<const Interval> variables) {

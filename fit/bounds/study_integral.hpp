@@ -23,7 +23,6 @@ class StudyIntegral {
  public:
   /// `integral` has no other integral inside. `parameters` are in the order of those of the study.
   StudyIntegral(const ReadStudy& study, const Symbolic& integral, std::span<const Interval> parameters);
-  StudyIntegral(StudyIntegral&&) noexcept;
   ~StudyIntegral();
 
   /// The integral for variables in these intervals; unbounded if no bound was found.

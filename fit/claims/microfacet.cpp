@@ -69,7 +69,7 @@ Finding told_integrals(const Claim& claim, const Furthest& worst, std::optional<
               Told{"promised", promised}, Told{"apart", std::max(promised, worst.error)}, more...);
 }
 
-Furthest area_distance(Distribution distribution, const Claim& claim) {
+Furthest area_distance(const Distribution& distribution, const Claim& claim) {
   const Widths widths(claim);
   const auto expected = in_50_digits(parse_formula(claim.printed[0].value, {})).convert_to<double>();
   Furthest worst;
@@ -80,9 +80,9 @@ Furthest area_distance(Distribution distribution, const Claim& claim) {
   return worst;
 }
 
-template <Distribution distribution>
+/// The id of the claim has the name of the distribution.
 Finding normalised(const Claim& claim) {
-  const Furthest worst = area_distance(distribution, claim);
+  const Furthest worst = area_distance(distribution_of(claim.id.substr(4)), claim);
   return told_integrals(claim, worst, judged(worst));
 }
 
@@ -99,7 +99,7 @@ double distance_from_limit(const Decimal50& alpha, const Decimal50& limit) {
 
 /// GTR1 has a second number: its limit at alpha = 1.
 Finding gtr1_normalised(const Claim& claim) {
-  const Furthest area = area_distance(Distribution::gtr1, claim);
+  const Furthest area = area_distance(distribution_of("gtr1"), claim);
   const Decimal50 limit = in_50_digits(parse_formula(claim.printed[1].value, {}));
   const auto step = constant<Decimal50>(claim.inputs.at("distance from alpha = 1"));
   const double beside = std::max(distance_from_limit(1 - step, limit), distance_from_limit(1 + step, limit));
@@ -113,8 +113,8 @@ Finding gtr1_normalised(const Claim& claim) {
 
 /// A distribution with the masking of a claim, at its roughnesses and views.
 struct Masked {
-  Distribution distribution;
-  Masking masking_by;
+  const Distribution& distribution;
+  const Distribution& masking_by;
   Widths widths;
   std::vector<double> angles;
 
@@ -240,9 +240,9 @@ Finding masked_by_another(const Claim& claim) {
 }  // namespace
 
 std::vector<Evaluator> microfacet_evaluators() {
-  return {{"ndf-blinn-phong", normalised<Distribution::blinn_phong>},
-          {"ndf-beckmann", normalised<Distribution::beckmann>},
-          {"ndf-ggx", normalised<Distribution::ggx>},
+  return {{"ndf-blinn-phong", normalised},
+          {"ndf-beckmann", normalised},
+          {"ndf-ggx", normalised},
           {"ndf-gtr1", gtr1_normalised},
           {"smith-beckmann", masked_by_its_own},
           {"smith-ggx", masked_by_its_own},

@@ -18,16 +18,25 @@ constexpr double distribution_decay = 48;
 /// area itself, not its projection along n: Blinn-Phong's is cos to the power s + 1, cos^2 to the power
 /// 1/alpha^2 - 1/2; Beckmann's is exp(-tan^2/alpha^2), and at most 1/cos = 7 times that for alpha
 /// <= 1. The other distributions fall like powers and are not cut off.
-double reach(Distribution distribution, double alpha) {
+double blinn_phong_reach(double alpha) {
   const double alpha2 = alpha * alpha;
-  if (distribution == Distribution::beckmann) return distribution_decay * alpha2;
-  if (distribution == Distribution::blinn_phong)
-    return std::expm1(distribution_decay * alpha2 / (1 - alpha2 / 2));
+  return std::expm1(distribution_decay * alpha2 / (1 - alpha2 / 2));
+}
+double beckmann_reach(double alpha) {
+  return distribution_decay * (alpha * alpha);
+}
+double no_reach(double) {
   return std::numeric_limits<double>::infinity();
 }
 
-double density_at(Distribution distribution, const Direction<double>& m, double alpha) {
-  return density(distribution, {m.cosine * m.cosine, m.sine * m.sine}, alpha);
+constexpr std::array distributions{
+    Distribution{"blinn-phong", blinn_phong_distribution<double>, nullptr, blinn_phong_reach},
+    Distribution{"beckmann", beckmann_distribution<double>, beckmann_lambda<double>, beckmann_reach},
+    Distribution{"ggx", ggx_distribution<double>, ggx_lambda<double>, no_reach},
+    Distribution{"gtr1", gtr1_distribution<double>, nullptr, no_reach}};
+
+double density_at(const Distribution& distribution, const Direction<double>& m, double alpha) {
+  return distribution.density({m.cosine * m.cosine, m.sine * m.sine}, alpha);
 }
 
 /// Over x = log tan(theta), where theta is the angle between m and n: sin dtheta = sin^2 cos dx. Cut off
@@ -35,7 +44,7 @@ double density_at(Distribution distribution, const Direction<double>& m, double 
 /// circle falls like exp(-x) to the right. `azimuth` is the integral over the azimuth. To the right of `bend`
 /// it behaves like the cube of a square root; x = bend + z^2 is smooth there.
 template <class Azimuth>
-Integral over_slope(Distribution distribution, double alpha, const Azimuth& azimuth, double bend,
+Integral over_slope(const Distribution& distribution, double alpha, const Azimuth& azimuth, double bend,
                     double tolerance) {
   constexpr double margin = 40;
   const auto at = [&](double x) {
@@ -45,7 +54,7 @@ Integral over_slope(Distribution distribution, double alpha, const Azimuth& azim
     return density_at(distribution, m, alpha) * azimuth(m) * m.sine * m.sine * m.cosine;
   };
   const double first = std::log(alpha) - margin / 2;
-  const double last = std::min(margin, std::log(reach(distribution, alpha)) / 2);
+  const double last = std::min(margin, std::log(distribution.reach(alpha)) / 2);
   const double joint = std::clamp(bend, first, last);
   const Integral before = gauss_kronrod(at, first, joint, tolerance);
   if (joint >= last) return before;
@@ -56,7 +65,7 @@ Integral over_slope(Distribution distribution, double alpha, const Azimuth& azim
 /// Over the sine up to 45 degrees, over the cosine beyond, in panels that meet at `bend`, an angle to n.
 /// At the horizon 2^-60 of the hemisphere is left out.
 template <class Azimuth>
-Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azimuth, double bend,
+Integral over_cosine(const Distribution& distribution, double alpha, const Azimuth& azimuth, double bend,
                      double tolerance) {
   const auto by_sine = [&](double sine) {
     const Direction<double> m{std::sqrt((1 - sine) * (1 + sine)), sine};
@@ -66,7 +75,7 @@ Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azi
     const Direction<double> m{cosine, std::sqrt((1 - cosine) * (1 + cosine))};
     return density_at(distribution, m, alpha) * azimuth(m);
   };
-  const double end = std::min(std::atan(std::sqrt(reach(distribution, alpha))), std::numbers::pi / 2);
+  const double end = std::min(std::atan(std::sqrt(distribution.reach(alpha))), std::numbers::pi / 2);
   std::array places{0.0, std::min(bend, end), std::min(std::numbers::pi / 4, end), end};
   std::ranges::sort(places);
   Integral total;
@@ -97,55 +106,40 @@ double circumference(const Direction<double>& m) {
 
 }  // namespace
 
-Distribution distribution_of(std::string_view name) {
-  if (name == "blinn-phong") return Distribution::blinn_phong;
-  if (name == "beckmann") return Distribution::beckmann;
-  if (name == "ggx") return Distribution::ggx;
-  if (name == "gtr1") return Distribution::gtr1;
-  throw std::invalid_argument("distribution '" + std::string(name) + "' is unknown");
+const Distribution& distribution_of(std::string_view name) {
+  const auto found = std::ranges::find(distributions, name, &Distribution::name);
+  if (found == distributions.end())
+    throw std::invalid_argument("distribution '" + std::string(name) + "' is unknown");
+  return *found;
 }
 
-Masking masking_of(std::string_view name) {
-  if (name == "beckmann") return Masking::beckmann;
-  if (name == "ggx") return Masking::ggx;
-  throw std::invalid_argument("masking '" + std::string(name) + "' is unknown");
+const Distribution& masking_of(std::string_view name) {
+  const Distribution& found = distribution_of(name);
+  if (found.lambda == nullptr) throw std::invalid_argument("masking '" + std::string(name) + "' is unknown");
+  return found;
 }
 
-double density(Distribution distribution, const MicrofacetNormal<double>& m, double alpha) {
-  switch (distribution) {
-    case Distribution::blinn_phong:
-      return blinn_phong_distribution(m, alpha);
-    case Distribution::beckmann:
-      return beckmann_distribution(m, alpha);
-    case Distribution::ggx:
-      return ggx_distribution(m, alpha);
-    case Distribution::gtr1:
-      return gtr1_distribution(m, alpha);
-  }
-  throw std::logic_error("a distribution without its formula");
-}
-
-double masking(Masking masking, const View& view, double alpha) {
-  const double slope = alpha * view.direction.sine / view.direction.cosine;
-  return smith_masking(masking == Masking::beckmann ? beckmann_lambda(slope) : ggx_lambda(slope));
+double masking(const Distribution& by, const View& view, double alpha) {
+  return smith_masking(by.lambda(alpha * view.direction.sine / view.direction.cosine));
 }
 
 double TwoWays::error() const {
   return std::abs(by_slope.value - by_cosine.value) + std::max(by_slope.error, by_cosine.error);
 }
 
-TwoWays integrate_projected_area(Distribution distribution, double alpha, double tolerance) {
+TwoWays integrate_projected_area(const Distribution& distribution, double alpha, double tolerance) {
   return {over_slope(distribution, alpha, circumference, 0, tolerance),
           over_cosine(distribution, alpha, circumference, std::numbers::pi / 4, tolerance)};
 }
 
-Integral integrate_visible_area_by_slope(Distribution distribution, double alpha, const View& view,
+Integral integrate_visible_area_by_slope(const Distribution& distribution, double alpha, const View& view,
                                          double tolerance) {
   const double bend = std::log(view.direction.cosine / view.direction.sine);  // tan(pi/2 - theta_v)
   return over_slope(distribution, alpha, facing(view), bend, tolerance);
 }
 
-TwoWays integrate_visible_area(Distribution distribution, double alpha, const View& view, double tolerance) {
+TwoWays integrate_visible_area(const Distribution& distribution, double alpha, const View& view,
+                               double tolerance) {
   return {integrate_visible_area_by_slope(distribution, alpha, view, tolerance),
           over_cosine(distribution, alpha, facing(view), view.elevation, tolerance)};
 }

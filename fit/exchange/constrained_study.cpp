@@ -9,11 +9,12 @@
 
 #include "fit/exchange/exchanged_study.hpp"
 #include "fit/exchange/linear_fit.hpp"
+#include "fit/panels/contacts.hpp"
+#include "fit/panels/panel_curve.hpp"
 #include "fit/quadrature/fit_rules.hpp"
 #include "fit/squares/confirm_integrals.hpp"
 #include "fit/squares/rules.hpp"
 #include "fit/squares/solve_study.hpp"
-#include "fit/steps/contacts.hpp"
 #include "fit/steps/digits.hpp"
 #include "fit/steps/quadratic_programme.hpp"
 #include "fit/steps/scaled_hessian.hpp"
@@ -190,8 +191,7 @@ class ConstrainedFit {
   /// The distance of a constraint's value from its bound, in long double; negative if it is violated.
   long double lack_of(const Contact& c) const {
     const WideParameters wide(here_.parameters.begin(), here_.parameters.end());
-    const MinimaxCurve& curve = here_.curve_of(c.touch);
-    const long double value = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
+    const long double value = here_.curve_of(c.touch).wide(c.place, wide, c.is_tangent);
     const long double bound = c.is_tangent ? 0 : here_.bound_of(c.touch);
     return static_cast<long double>(sign_of(c.touch)) * (bound - value);
   }
@@ -294,7 +294,7 @@ class ConstrainedFit {
         return;
       }
       fit_.alternation.push_back({a.contact.touch, a.contact.is_tangent, problem_.cosine_at(a.contact.place),
-                                  problem_.error.along(a.contact.place, here_.parameters).value,
+                                  problem_.error->along(a.contact.place, here_.parameters).value,
                                   a.multiplier});
     }
     std::ranges::sort(fit_.alternation, {}, [](const AlternationPoint& point) { return point.at.cos_theta; });

@@ -45,7 +45,10 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
   if (constraints.one_sided && study.error == Error::relative &&
       values_at_nodes(study, study.target, nodes_of(study, {edges}, gauss_sizes[0])).front() < 0)
     signed_error = -signed_error;
-  problem_.error = panel_curve(study, signed_error, CurveOf::formula, panels_, places);
+  const auto curve = [&](const ReadStudy& of, const Symbolic& formula, CurveOf what = CurveOf::formula) {
+    return std::make_shared<PanelCurve>(of, formula, what, panels_);
+  };
+  problem_.error = curve(study, signed_error);
   problem_.deviation = problem_.error;
   const bool is_bounded = constraints.at_most || constraints.at_least;
   const auto is_linear = [](const StudyError& of) { return std::ranges::count(of.is_linear(), false) == 0; };
@@ -53,13 +56,9 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
                                                   ? logarithms_of(study, parameters)
                                                   : std::nullopt;
   if (logarithms && constraints.one_sided)
-    problem_.deviation =
-        panel_curve(*logarithms, error_formula(*logarithms), CurveOf::formula, panels_, places);
-  if (is_bounded)
-    problem_.bounded =
-        panel_curve(study, logarithms ? logarithms->form : study.form, CurveOf::formula, panels_, places);
-  if (constraints.monotone)
-    problem_.sloping = panel_curve(study, study.form, CurveOf::slope, panels_, places);
+    problem_.deviation = curve(*logarithms, error_formula(*logarithms));
+  if (is_bounded) problem_.bounded = curve(study, logarithms ? logarithms->form : study.form);
+  if (constraints.monotone) problem_.sloping = curve(study, study.form, CurveOf::slope);
   problem_.is_exponential = logarithms.has_value();
   problem_.is_linear =
       is_linear(error) || (logarithms && !constraints.monotone && is_linear(StudyError(*logarithms)));

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "fit/panels/minimax.hpp"
 #include "fit/panels/panel_curve.hpp"
-#include "fit/steps/minimax.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {

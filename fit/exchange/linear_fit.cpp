@@ -41,7 +41,7 @@ class LinearFit {
     }
     level_support_ = support;
     if (!lower_square(before)) return false;
-    cuts_.fit.is_unique = !has_way_on();
+    cuts_.fit.is_unique = !has_free_step();
     return true;
   }
 
@@ -115,11 +115,9 @@ class LinearFit {
     return true;
   }
 
-  /// Whether a step from the answer raises no top that is at its bound. If there is none, 0 is the nearest of
-  /// the allowed steps to each step along a coordinate, which is 1 long. The programme leaves less than
-  /// `rounding` of that step.
-  bool has_way_on() {
-    constexpr double at_bound = 1e-7, rounding = 1e-6;
+  /// Whether a step from the answer raises no top that is at its bound.
+  bool has_free_step() {
+    constexpr double at_bound = 1e-7;
     std::vector<Condition> conditions;
     for (std::size_t curve = 0; curve < cuts_.curves.size(); ++curve) {
       if (!cuts_.is_searched(curve)) continue;
@@ -130,13 +128,7 @@ class LinearFit {
         std::copy(slope.begin(), slope.end(), conditions.emplace_back().slope.begin());
       }
     }
-    const Eigen::Index n = cuts_.size();
-    for (Eigen::Index i = 0; i < 2 * n; ++i) {
-      const VectorOf<double> towards = VectorOf<double>::Unit(n, i / 2) * (i % 2 == 0 ? 1 : -1);
-      const auto nearest = least_step(MatrixOf<double>::Identity(n, n), -towards, conditions);
-      if (!nearest || nearest->step.norm() > rounding) return true;
-    }
-    return false;
+    return has_way_on(conditions, cuts_.size());
   }
 
   void tell_touching() {

@@ -10,10 +10,10 @@
 #include "fit/exchange/exchanged_study.hpp"
 #include "fit/exchange/linear_fit.hpp"
 #include "fit/exchange/minimax_surface.hpp"
+#include "fit/panels/minimax.hpp"
 #include "fit/squares/confirm_integrals.hpp"
 #include "fit/squares/minimax_rows.hpp"
 #include "fit/squares/rules.hpp"
-#include "fit/steps/minimax.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 /// The end of an exchange, and the least of the largest errors that were seen on its way.
 struct ExchangeEnd {
-  MinimaxOptimum optimum;
+  StudyFit optimum;
   std::vector<StudyEdge> edges;
   double lowest;
 };
@@ -67,18 +67,17 @@ ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, cons
     from = end.optimum.parameters;
   }
   if (end.optimum.status == Status::converged && !has_moving_kinks) {
-    end.lowest = end.optimum.level;
+    end.lowest = *end.optimum.level;
     return end;
   }
   from = end.optimum.parameters;
   end.lowest = std::min(level_at(study, start), level_at(study, from));
   constexpr double equal = 1e-9;
   const bool is_lost =
-      end.optimum.status == Status::converged && level_at(study, from) > end.optimum.level * (1 + equal);
+      end.optimum.status == Status::converged && level_at(study, from) > *end.optimum.level * (1 + equal);
   if (is_lost || (has_moving_kinks && end.optimum.status == Status::converged && distance > same)) {
-    end.optimum.status = Status::not_converged;
-    end.optimum.why =
-        "the largest error is at a kink that the parameters move: the exchange does not settle there";
+    fail(end.optimum, Status::not_converged,
+         "the largest error is at a kink that the parameters move: the exchange does not settle there");
   }
   return end;
 }
@@ -111,7 +110,7 @@ void go_on_where_missed(const ReadStudy& study, const StudyError& error, const C
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds && end.optimum.status == Status::converged; ++round) {
     const std::vector<double> parameters = end.optimum.parameters;
-    const auto missed = missed_place(study, error, end.optimum.level, parameters);
+    const auto missed = missed_place(study, error, *end.optimum.level, parameters);
     const auto next =
         missed ? std::ranges::lower_bound(end.edges, *missed, {}, &StudyEdge::at) : end.edges.end();
     if (next == end.edges.end() || next->at == *missed) return;
@@ -169,17 +168,10 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
     if (const auto start = other_side(study, exchanged, candidate.parameters, end)) from(*start);
   }
   if (moving_kinks(study).empty()) go_on_where_missed(study, error, constraints, *found);
-  const MinimaxOptimum* best = &found->optimum;
-  StudyFit fit;
+  StudyFit fit = found->optimum;
   fit.names = study.parameters;
-  fit.parameters = best->parameters;
-  fit.status = best->status;
-  fit.why = best->why;
-  fit.digits = best->digits;
   fit.starts = searched.starts;
   fit.is_global = searched.is_linear;
-  fit.level = best->level;
-  fit.alternation = best->alternation;
   std::reverse(fit.alternation.begin(), fit.alternation.end());
   if (fit.status == Status::infeasible || fit.status == Status::not_finite ||
       (fit.status != Status::converged && searched.is_linear))

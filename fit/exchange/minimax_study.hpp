@@ -7,7 +7,7 @@
 
 namespace shadefit {
 
-/// The minimax fit of a study. In one variable the exchange (fit/steps/minimax.hpp) starts from the
+/// The minimax fit of a study. In one variable the exchange (fit/panels/minimax.hpp) starts from the
 /// least-squares fit and from other basins, and the lowest level counts: if the exchange does not settle
 /// where the largest error is lowest, the fit is not converged, though it settled at a higher level
 /// elsewhere. An exchange that runs to infinity also starts beyond it (`beyond_infinity`). Two and three

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "fit/exchange/beyond_infinity.hpp"
@@ -13,6 +12,7 @@
 #include "fit/squares/confirm_integrals.hpp"
 #include "fit/squares/rules.hpp"
 #include "fit/steps/digits.hpp"
+#include "fit/steps/quadratic_programme.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
@@ -166,24 +166,21 @@ class SurfaceExchange {
     return fit;
   }
 
-  /// Whether no other parameters have this level.
+  /// Whether no other parameters have this level: each step raises an error that is at it.
   bool is_determined(const StudyFit& fit) const {
     VectorOf<double> errors;
     MatrixOf<double> slopes;
     SampledStudy<double>(error_, nodes_at(places_.all())).errors(fit.parameters, errors, &slopes);
-    std::vector<std::size_t> support(size_ + 1);
-    std::vector<Eigen::Index> touching;
-    for (std::size_t place = 0; place < places_.all().size(); ++place) {
-      const auto row = static_cast<Eigen::Index>(place);
-      const auto at = std::find(support_.places.begin(), support_.places.end(), place);
-      const bool is_support = at != support_.places.end();
-      if (!is_support && std::abs(errors[row]) < *fit.level * (1 - same_level) - support_.rounding) continue;
-      if (is_support) support[static_cast<std::size_t>(at - support_.places.begin())] = touching.size();
-      if (errors[row] < 0) slopes.row(row) *= -1;
-      touching.push_back(row);
+    const VectorOf<double> scale = slopes.cwiseAbs().colwise().maxCoeff();
+    std::vector<Condition> touching;
+    constexpr double rounding = 1e-12;
+    for (Eigen::Index row = 0; row < errors.size(); ++row) {
+      if (std::abs(errors[row]) < *fit.level * (1 - same_level) - support_.rounding) continue;
+      const double sign = errors[row] < 0 ? -1 : 1;
+      const VectorOf<double> slope = sign * slopes.row(row).transpose().cwiseQuotient(scale);
+      std::copy(slope.begin(), slope.end(), touching.emplace_back(Condition{{}, rounding}).slope.begin());
     }
-    const auto& multipliers = support_.lowest.multipliers;
-    return are_determined(slopes(touching, Eigen::all), support, std::span(multipliers).first(size_ + 1));
+    return !has_way_on(touching, slopes.cols());
   }
 
   const StudyError& error_;

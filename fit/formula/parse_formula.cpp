@@ -410,7 +410,7 @@ class FormulaReader {
     text_.expect(',');
     const Symbolic upper = formula();
     text_.expect(')');
-    return limited(integral(body, variable, lower, upper));
+    return limited(Symbolic::integral(variable, {body, lower, upper}));
   }
 
   /// A name that nothing else has.

@@ -29,6 +29,11 @@ constexpr std::string_view name(Proof proof) {
   return "";
 }
 
+/// The default relative width of bounds: far below any printed digit.
+inline constexpr double usual_width = 1e-9;
+/// The ends of an enclosure are doubles, so it cannot be narrower than a few of their steps of 2.2e-16.
+inline constexpr double least_width = 1e-15;
+
 /// The finished fraction of a check, from 0 to 1; throws to stop it.
 using ShareDone = std::function<void(double share)>;
 

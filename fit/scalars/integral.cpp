@@ -51,11 +51,6 @@ const NodeTexts& usual_integral_nodes() {
   return nodes_of(IntegralRule::usual);
 }
 
-Symbolic integral(const Symbolic& body, const std::string& variable, const Symbolic& lower,
-                  const Symbolic& upper) {
-  return Symbolic::integral(variable, {body, lower, upper});
-}
-
 Symbolic summed(const Symbolic& e, IntegralRule rule) {
   const Symbolic &body = e.part(0), &lower = e.part(1), &upper = e.part(2);
   const Symbolic length = upper - lower;

@@ -15,11 +15,6 @@ enum class IntegralRule { usual, check };
 /// How many values of its body an integral takes by the usual rule.
 inline constexpr std::size_t integral_nodes = 75;
 
-/// integral of body(t) from `lower` to `upper`. `variable` is t; no other part of the formula may use its
-/// name.
-Symbolic integral(const Symbolic& body, const std::string& variable, const Symbolic& lower,
-                  const Symbolic& upper);
-
 /// The sum that stands for an integral: (upper - lower) times weighted values of its body.
 ///
 /// The rule is the double-exponential one: with s = 1/(1 + exp(-pi sinh u)) it is the trapezoidal rule in u,

@@ -199,13 +199,9 @@ const Symbolic& unsigned_part(const Symbolic& e) {
   return e.kind() == Kind::negate ? unsigned_part(e.part(0)) : e;
 }
 
-bool is_known_before(const Symbolic& e) {
-  return e.kind() != Kind::variable && std::all_of(e.parts().begin(), e.parts().end(), is_known_before);
-}
-
 void collect(const Symbolic& e, Subexpressions& found, std::map<std::string, int>& uses) {
   const Symbolic& value = unsigned_part(e);
-  if (is_known_before(value)) return;
+  if (value.is_of_numbers()) return;
   const std::string key = to_text(value);
   ++uses[key];
   if (!found.emplace(key, value).second) return;
@@ -213,14 +209,14 @@ void collect(const Symbolic& e, Subexpressions& found, std::map<std::string, int
 }
 
 bool is_product(const Symbolic& e) {
-  return e.kind() == Kind::multiply && !is_known_before(e);
+  return e.kind() == Kind::multiply && !e.is_of_numbers();
 }
 
 void count_function(const Symbolic& e, Operations& count) {
   const Symbolic& argument = unsigned_part(e.part(0));
   // A numeric factor includes the conversion of the base.
   const bool has_factor = argument.kind() == Kind::multiply &&
-                          (is_known_before(argument.part(0)) || is_known_before(argument.part(1)));
+                          (argument.part(0).is_of_numbers() || argument.part(1).is_of_numbers());
   if (e.name() == "exp2") {
     ++count.exp2;
   } else if (e.name() == "log2") {
@@ -246,10 +242,10 @@ std::optional<double> known_factor(const Symbolic& e) {
   const auto value = [](const Symbolic& number) {
     return std::abs(evaluate<double>(number, [](const std::string&) { return 0.0; }));
   };
-  if (e.kind() == Kind::divide && is_known_before(e.part(1))) return 1 / value(e.part(1));
+  if (e.kind() == Kind::divide && e.part(1).is_of_numbers()) return 1 / value(e.part(1));
   if (e.kind() != Kind::multiply) return std::nullopt;
-  if (is_known_before(e.part(0))) return value(e.part(0));
-  if (is_known_before(e.part(1))) return value(e.part(1));
+  if (e.part(0).is_of_numbers()) return value(e.part(0));
+  if (e.part(1).is_of_numbers()) return value(e.part(1));
   return std::nullopt;
 }
 
@@ -289,7 +285,7 @@ class Counter {
     if (!factor ||
         std::count(instructions_.free_scales.begin(), instructions_.free_scales.end(), *factor) == 0)
       return false;
-    const Symbolic& result = unsigned_part(is_known_before(e.part(0)) ? e.part(1) : e.part(0));
+    const Symbolic& result = unsigned_part(e.part(0).is_of_numbers() ? e.part(1) : e.part(0));
     return !result.parts().empty() && is_used_once(result);
   }
 
@@ -298,7 +294,7 @@ class Counter {
     for (const Symbolic& part : sum.parts()) {
       const Symbolic& term = unsigned_part(part);
       const bool is_sum = term.kind() == Kind::add || term.kind() == Kind::subtract;
-      if (is_sum && !is_known_before(term) && is_used_once(term)) {
+      if (is_sum && !term.is_of_numbers() && is_used_once(term)) {
         inner.push_back(term);
         add_terms(term, terms, inner);
       } else {
@@ -339,7 +335,7 @@ class Counter {
         count_.multiply += is_scaled_result(e) ? 0 : 1;
         break;
       case Kind::divide:
-        if (!is_scaled_result(e)) ++(is_known_before(e.part(1)) ? count_.multiply : count_.divide);
+        if (!is_scaled_result(e)) ++(e.part(1).is_of_numbers() ? count_.multiply : count_.divide);
         break;
       case Kind::real_power:
         ++count_.log2;

@@ -28,9 +28,9 @@ void confirm_integrals(const ReadStudy& study, StudyFit& fit) {
   const VectorOf<double> check = errors_by(IntegralRule::check).first;
   const double difference = (usual - check).cwiseAbs().maxCoeff();
   fit.digits = std::min(fit.digits, correct_digits(difference / norm));
-  if (fit.digits >= least_study_digits) return;
-  fit.status = Status::not_converged;
-  fit.why = "two rules for 'integral' agree to fewer than 6 digits: split it where its body is not smooth";
+  if (fit.digits < least_study_digits)
+    fail(fit, Status::not_converged,
+         "two rules for 'integral' agree to fewer than 6 digits: split it where its body is not smooth");
 }
 
 }  // namespace shadefit

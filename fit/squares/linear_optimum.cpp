@@ -8,7 +8,6 @@
 #include "fit/formula/tape_program.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/support/decompositions.hpp"
 
 namespace shadefit {
 namespace {
@@ -104,10 +103,6 @@ std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const 
     if (!(moved < falls * last) || moved <= enough * first) break;
   }
   return found;
-}
-
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target) {
-  return solution(pivoted_qr(columns), target);
 }
 
 }  // namespace shadefit

@@ -26,7 +26,4 @@ struct LinearOptimum {
 std::optional<LinearOptimum> optimum_in_50_digits(const ReadStudy& study, const StudyNodes& nodes,
                                                   const std::vector<double>& start);
 
-/// The x for which `columns` x - `target` has the least square, in double, by orthogonal columns.
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target);
-
 }  // namespace shadefit

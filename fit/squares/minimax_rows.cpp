@@ -92,8 +92,7 @@ LeveledFit descend(const RowDescent& descent, const ReadStudy& study, const std:
   StudyFit& fit = result.fit;
   fit.parameters = start;
   const auto ended = [&](Status status, const std::string& why) {
-    fit.status = status;
-    fit.why = why;
+    fail(fit, status, why);
     return result;
   };
   for (;;) {

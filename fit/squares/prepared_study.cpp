@@ -53,13 +53,11 @@ StudyFit PreparedStudy::fit_from(const std::vector<std::vector<double>>& starts)
     return fit;
   }
   if (ends.size() < starts.size() || std::ranges::any_of(ends, is_other)) {
-    fit.status = Status::ambiguous;
-    fit.why = "the starts lead to different curves";
+    fail(fit, Status::ambiguous, "the starts lead to different curves");
     return fit;
   }
   if (std::string flat = flat_direction(study_, scan, ends.front().parameters); !flat.empty()) {
-    fit.status = Status::degenerate;
-    fit.why = std::move(flat);
+    fail(fit, Status::degenerate, std::move(flat));
     return fit;
   }
   if (rules_.has_moving_kinks()) {
@@ -70,10 +68,8 @@ StudyFit PreparedStudy::fit_from(const std::vector<std::vector<double>>& starts)
     const bool is_linear = std::ranges::all_of(error_.is_linear(), std::identity{});
     fit = with_all_digits(study_, rules_, rules_.sampled<double>(rules_.first()), is_linear, std::move(fit));
   }
-  if (fit.status == Status::converged && unresolved_) {
-    fit.status = Status::unresolved;
-    fit.why = why_unresolved(study_, *unresolved_);
-  }
+  if (fit.status == Status::converged && unresolved_)
+    fail(fit, Status::unresolved, why_unresolved(study_, *unresolved_));
   fit.names = study_.parameters;
   return fit;
 }

@@ -83,9 +83,9 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
     fit.why = rules.is_of_rows() ? "Newton's method does not settle in long double"
                                  : "the integral of the squared error does not converge";
   } else if (fit.digits < least_study_digits) {
-    fit.status = Status::not_converged;
-    fit.why = rules.is_of_rows() ? "long double still moves a parameter in its sixth digit"
-                                 : "the largest quadrature rule still moves a parameter in its sixth digit";
+    fail(fit, Status::not_converged,
+         rules.is_of_rows() ? "long double still moves a parameter in its sixth digit"
+                            : "the largest quadrature rule still moves a parameter in its sixth digit");
   }
   return fit;
 }

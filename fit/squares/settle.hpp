@@ -5,7 +5,7 @@
 #include "fit/study/study_fit.hpp"
 #include "fit/study/study_problem.hpp"
 
-/// From the basin of a search to the optimum, with the digits that are right: three ways, by the form.
+/// From the basin of a search to the optimum, with the digits that are right.
 namespace shadefit {
 
 /// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
@@ -15,9 +15,6 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
 /// Newton's method where kinks move with the parameters. The derivatives of the last place count the digits
 /// with the next rule.
 StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate);
-
-/// The optimum of a form that is linear in all parameters, in long double, by one rule after the other.
-StudyFit settle_linear(const Rules& rules);
 
 /// A fit as Newton's method left it, with the digits that its data have. A form that is linear in all
 /// parameters needs no start: long double solves it where Newton's method failed. Where roundings of long

@@ -84,10 +84,8 @@ StudyFit in_own_units(const ReadStudy& study, const Units& units, StudyFit fit) 
       fit.digits = std::min(fit.digits, correct_digits(std::ldexp(of_50_digits, static_cast<int>(unit))));
     fit.parameters[i] = moved(fit.parameters[i], unit, 1);
   }
-  if (fit.digits < least_study_digits) {
-    fit.status = Status::not_converged;
-    fit.why = "a parameter is beyond the digits of the target";
-  }
+  if (fit.digits < least_study_digits)
+    fail(fit, Status::not_converged, "a parameter is beyond the digits of the target");
   fit.max_abs_error = {moved(fit.max_abs_error.magnitude, of_target, 1),
                        {moved(fit.max_abs_error.at.front(), of_x, 1)}};
   fit.rms_error = moved(fit.rms_error, of_error, 1);

@@ -45,8 +45,7 @@ StudyFit settled_fit(const ReadStudy& study, Rules& rules, const SearchedStudy& 
   StudyFit fit;
   if (!flat.empty()) {
     fit.parameters = chosen.parameters;
-    fit.status = Status::degenerate;
-    fit.why = flat;
+    fail(fit, Status::degenerate, flat);
   } else if (rules.has_moving_kinks()) {
     fit = settle_kinks(rules, chosen);
   }
@@ -83,8 +82,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   if (fit.status != Status::converged) return fit;
   for (const StudyCandidate& candidate : best) {
     if (is_same_curve(sampled, candidate, chosen)) continue;
-    fit.status = Status::ambiguous;
-    fit.why = "another curve is as good";
+    fail(fit, Status::ambiguous, "another curve is as good");
     fit.other = candidate.parameters;
     return fit;
   }

@@ -140,4 +140,14 @@ std::optional<QuadraticAnswer> least_step(const Eigen::MatrixXd& hessian, const 
   return DualMethod(hessian, gradient, conditions).solve();
 }
 
+bool has_way_on(std::span<const Condition> conditions, Eigen::Index unknowns) {
+  constexpr double rounding = 1e-6;
+  for (Eigen::Index i = 0; i < 2 * unknowns; ++i) {
+    const Vector towards = Vector::Unit(unknowns, i / 2) * (i % 2 == 0 ? 1 : -1);
+    const auto nearest = least_step(Matrix::Identity(unknowns, unknowns), -towards, conditions);
+    if (!nearest || nearest->step.norm() > rounding) return true;
+  }
+  return false;
+}
+
 }  // namespace shadefit

@@ -9,7 +9,7 @@
 
 #include "approx/shading.hpp"
 #include "fit/exchange/surface_programme.hpp"
-#include "fit/squares/linear_optimum.hpp"
+#include "fit/support/decompositions.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -123,7 +123,7 @@ std::vector<double> LobeFitter::best_slopes(int count) {
   }
   const auto step = level_step(-target.cwiseProduct(worth), worth.asDiagonal() * powers, 0);
   // Lobes so dull that no place counts for all slopes have those of least squares.
-  if (!step) return rounded(least_squares(worth.asDiagonal() * powers, worth.cwiseProduct(target)));
+  if (!step) return rounded(solution(pivoted_qr(worth.asDiagonal() * powers), worth.cwiseProduct(target)));
   return rounded(Eigen::Map<const Eigen::VectorXd>(step->lowest.unknowns.data(), count));
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The minimax fits of the families, for tests/fit/steps/minimax_test.cpp, in 40 digits.
+"""The minimax fits of the families, for tests/fit/panels/minimax_test.cpp, in 40 digits.
 
     make_minimax_references.py                prints the file tests/references/minimax.csv
     make_minimax_references.py --check FILE   compares it with FILE

@@ -1,4 +1,4 @@
-#include "fit/steps/minimax.hpp"
+#include "fit/panels/minimax.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
-#include "fit/steps/minimax.hpp"
+#include "fit/panels/minimax.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "fit/steps/contacts.hpp"
+#include "fit/panels/contacts.hpp"
+#include "fit/panels/panel_curve.hpp"
 #include "fit/steps/digits.hpp"
 
 namespace shadefit {
@@ -23,9 +24,11 @@ constexpr double largest_rounding = 0.1;
 class RemezExchange {
  public:
   RemezExchange(const MinimaxProblem& problem, const MinimaxParameters& start)
-      : problem_(problem), here_(problem, start), counted_(start.size()) {}
+      : problem_(problem), here_(problem, start), counted_(start.size()) {
+    result_.level = 0;
+  }
 
-  MinimaxOptimum solve() {
+  StudyFit solve() {
     const std::string why = here_.hold_exact();
     here_.find_tangents();
     if (why.empty() ? descend() : fail(Status::infeasible, why)) settle();
@@ -34,11 +37,7 @@ class RemezExchange {
   }
 
  private:
-  bool fail(Status status, std::string why) {
-    result_.status = status;
-    result_.why = std::move(why);
-    return false;
-  }
+  bool fail(Status status, std::string why) { return shadefit::fail(result_, status, std::move(why)); }
 
   /// The programme has no answer. That is a proof if its conditions are those of the constraints, or if the
   /// parameters do not move the violated ones.
@@ -186,9 +185,8 @@ class RemezExchange {
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
         Contact& c = reference_[i];
         c = here_.moved(c);
-        const MinimaxCurve& curve = here_.curve_of(c.touch);
         matrix[i] = here_.condition(c).slope;
-        values[i] = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
+        values[i] = here_.curve_of(c.touch).wide(c.place, wide, c.is_tangent);
         level += static_cast<long double>(multipliers_[i] * here_.share_of_level(c) * sign_of(c.touch)) *
                  values[i];
       }
@@ -205,7 +203,7 @@ class RemezExchange {
         lack[i] = sign * (bound - values[i]) + static_cast<long double>(here_.share_of_level(c)) * level;
         const bool is_error = here_.share_of_level(c) > 0;
         if (is_error) rounding_ = std::max(rounding_, std::abs(c.value - static_cast<double>(values[i])));
-        c.value = static_cast<double>(is_error ? values[i] : problem_.error.wide(c.place, wide));
+        c.value = static_cast<double>(is_error ? values[i] : problem_.error->wide(c.place, wide));
       }
       std::array<long double, most_unknowns> step{};
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
@@ -213,7 +211,7 @@ class RemezExchange {
           step[i] += static_cast<long double>(inverse[i][j]) * lack[j];
       }
       result_.level = static_cast<double>(level + step[problem_.size]);
-      if (!(rounding_ < largest_rounding * result_.level)) {
+      if (!(rounding_ < largest_rounding * *result_.level)) {
         fail(Status::degenerate,
              "the largest error is down to the rounding of the form: it has no alternation");
         return;
@@ -252,7 +250,7 @@ class RemezExchange {
   }
 
   const MinimaxProblem& problem_;
-  MinimaxOptimum result_;
+  StudyFit result_;
   Contacts here_;
   Few<Contact> reference_;
   Unknowns multipliers_{};
@@ -265,7 +263,7 @@ class RemezExchange {
 
 }  // namespace
 
-MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
+StudyFit solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
   return RemezExchange(problem, start).solve();
 }
 

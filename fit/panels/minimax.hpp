@@ -2,16 +2,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "approx/cosine.hpp"
 #include "fit/quadrature/metric.hpp"
-#include "fit/steps/alternation.hpp"
 #include "fit/steps/linear_programme.hpp"
-#include "fit/steps/status.hpp"
+#include "fit/study/study_fit.hpp"
 
 /// Minimax: the parameters for which the largest |weight * error| over the domain is least.
 ///
@@ -38,29 +37,19 @@ struct Along {
   double value, slope, curvature;
 };
 
-/// A function of place and parameters, behind plain functions, so that the solver is the same for every form.
-struct MinimaxCurve {
-  std::function<void(const MinimaxParameters&, std::span<double>)> everywhere;  ///< at the search places
-  std::function<Along(const SearchPlace&, const MinimaxParameters&)> along;
-  /// The value, and its derivatives by the parameters.
-  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
-  std::function<long double(const SearchPlace&, const WideParameters&)> wide;
-  /// The same for the slope into the domain, at s = 0 or 1.
-  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across = nullptr;
-  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope = nullptr;
-};
+class PanelCurve;  // fit/panels/panel_curve.hpp
 
 struct MinimaxProblem {
   std::size_t size = 0;             ///< free parameters
   std::vector<SearchPlace> places;  ///< by panel, then by s
   std::string variable;             ///< its name, for messages
   std::function<Cosine<double>(const SearchPlace&)> cosine_at;
-  MinimaxCurve error;
+  std::shared_ptr<PanelCurve> error = {};
   /// The curve that `at_most` and `at_least` bound, and the curve that is 0 where the form equals its target.
   /// These are the form and its error; for a positive form log(form) and log(form/target), which may be
   /// linear in the parameters.
-  MinimaxCurve bounded = {}, deviation = {};
-  MinimaxCurve sloping = {};  ///< the slope of the form, if `monotone` is set
+  std::shared_ptr<PanelCurve> bounded = {}, deviation = {};
+  std::shared_ptr<PanelCurve> sloping = {};  ///< the slope of the form, if `monotone` is set
   bool is_exponential = false;
   /// Constraints are linear in the parameters: if they cannot be satisfied together at some places, no
   /// parameters satisfy them.
@@ -72,17 +61,10 @@ struct MinimaxProblem {
   std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
 };
 
-struct MinimaxOptimum {
-  MinimaxParameters parameters{};
-  Status status = Status::not_converged;
-  int digits = 0;    ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
-  double level = 0;  ///< the largest |weight * error|
-  std::vector<AlternationPoint> alternation = {};  ///< in falling order of the cosine
-  std::string why = {};                            ///< where it did not converge, in words
-};
-
-/// Exchanges until the alternation has settled, at most `most_steps`. Never throws for a hard problem.
-MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
+/// Exchanges until the alternation has settled, at most `most_steps`. Never throws for a hard problem. Of the
+/// fit it gives parameters, status, the level, the alternation in falling order of the cosine, and the digits
+/// of the worst parameter, floor(-log10 |Newton step / parameter|) in long double.
+StudyFit solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
 
 /// Three to six are usual. Distant starts need more, because their steps are halved.
 inline constexpr int most_steps = 60;

@@ -1,8 +1,10 @@
-#include "fit/steps/contacts.hpp"
+#include "fit/panels/contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "fit/panels/panel_curve.hpp"
 
 namespace shadefit {
 namespace {
@@ -14,7 +16,7 @@ bool is_fixed(const Contact& c) {
 
 /// The maximum of sign * curve between low and high, from s: Newton on the slope, inside the interval that is
 /// known to contain the maximum.
-double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
+double climb(PanelCurve& curve, std::size_t panel, double low, double s, double high, double sign,
              const MinimaxParameters& p) {
   for (int i = 0; i < 12; ++i) {
     const Along at = curve.along({panel, s}, p);
@@ -44,16 +46,15 @@ double Contacts::share_of_level(Touch touch) const {
   return 0;
 }
 
-const MinimaxCurve& Contacts::curve_of(Touch touch) const {
-  if (is_of_form(touch)) return problem_.bounded;
-  if (is_of_slope(touch)) return problem_.sloping;
-  return share_of_level(touch) > 0 ? problem_.error : problem_.deviation;
+PanelCurve& Contacts::curve_of(Touch touch) const {
+  if (is_of_form(touch)) return *problem_.bounded;
+  if (is_of_slope(touch)) return *problem_.sloping;
+  return share_of_level(touch) > 0 ? *problem_.error : *problem_.deviation;
 }
 
 Contact Contacts::contact(Touch touch, const SearchPlace& place, bool is_tangent) const {
   Contact c{touch, place, is_tangent, 0, {}};
-  const MinimaxCurve& curve = curve_of(touch);
-  c.value = (is_tangent ? curve.slope_across : curve.across)(place, parameters, c.gradient);
+  c.value = curve_of(touch).across(place, parameters, is_tangent, c.gradient);
   return c;
 }
 
@@ -147,8 +148,13 @@ std::string Contacts::hold_exact() {
   return exact_.size() > problem_.size ? "more places to be exact at than free parameters" : "";
 }
 
+/// A curve at the search places.
+void Contacts::sample(PanelCurve& curve) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = curve.value(problem_.places[i], parameters);
+}
+
 /// The extrema of a curve that a touch needs: maxima if it bounds from above, else minima.
-void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
+void Contacts::find_extrema(PanelCurve& curve, Touch touch) {
   const double sign = sign_of(touch);
   const auto& places = problem_.places;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -186,21 +192,21 @@ void Contacts::look() {
     level_ = HUGE_VAL;
     return;
   }
-  problem_.error.everywhere(parameters, values_);
-  if (problem_.one_sided != Side::below) find_extrema(problem_.error, Touch::highest);
-  if (problem_.one_sided != Side::above) find_extrema(problem_.error, Touch::lowest);
+  sample(*problem_.error);
+  if (problem_.one_sided != Side::below) find_extrema(*problem_.error, Touch::highest);
+  if (problem_.one_sided != Side::above) find_extrema(*problem_.error, Touch::lowest);
   if (problem_.one_sided) {
-    problem_.deviation.everywhere(parameters, values_);
-    find_extrema(problem_.deviation, one_sided_touch());
+    sample(*problem_.deviation);
+    find_extrema(*problem_.deviation, one_sided_touch());
   }
   if (problem_.at_most || problem_.at_least) {
-    problem_.bounded.everywhere(parameters, values_);
-    if (problem_.at_most) find_extrema(problem_.bounded, Touch::at_most);
-    if (problem_.at_least) find_extrema(problem_.bounded, Touch::at_least);
+    sample(*problem_.bounded);
+    if (problem_.at_most) find_extrema(*problem_.bounded, Touch::at_most);
+    if (problem_.at_least) find_extrema(*problem_.bounded, Touch::at_least);
   }
   if (problem_.monotone) {
-    problem_.sloping.everywhere(parameters, values_);
-    find_extrema(problem_.sloping, slope_touch());
+    sample(*problem_.sloping);
+    find_extrema(*problem_.sloping, slope_touch());
   }
   for (const SearchPlace& place : exact_) all_.push_back(contact(Touch::exact, place));
   for (const Contact& c : tangents_) all_.push_back(contact(c.touch, c.place, true));
@@ -235,7 +241,7 @@ Contacts::Chain Contacts::alternating(std::size_t count) const {
     if (problem_.one_sided) {
       // A place where no positive form can touch its target holds nothing.
       if (!std::isfinite(contact(one_sided_touch(), c.place).value)) continue;
-      c.value = problem_.error.across(c.place, parameters, c.gradient);
+      c.value = problem_.error->across(c.place, parameters, false, c.gradient);
     }
     largest_gradient = std::max(largest_gradient, size_of(c));
     highest = std::max(highest, c.value);
@@ -269,7 +275,7 @@ Contacts::Chain Contacts::alternating(std::size_t count) const {
   const std::size_t all = problem_.places.size();
   for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
     Contact c{Touch::highest, problem_.places[(2 * i + 1) * all / (2 * count)], false, 0, {}};
-    c.value = problem_.error.across(c.place, parameters, c.gradient);
+    c.value = problem_.error->across(c.place, parameters, false, c.gradient);
     chain.push_back(c);
   }
   return {chain, first};

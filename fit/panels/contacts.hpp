@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "fit/panels/minimax.hpp"
+#include "fit/steps/alternation.hpp"
 #include "fit/steps/linear_programme.hpp"
-#include "fit/steps/minimax.hpp"
 
 /// The places where the curves of a minimax problem are extreme or constrained, at given parameters. The
 /// exchange swaps these.
@@ -64,7 +65,7 @@ class Contacts {
   Touch one_sided_touch() const { return problem_.one_sided == Side::below ? Touch::highest : Touch::lowest; }
   Touch slope_touch() const { return problem_.monotone == Course::falls ? Touch::falls : Touch::rises; }
   double share_of_level(const Contact& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
-  const MinimaxCurve& curve_of(Touch touch) const;
+  PanelCurve& curve_of(Touch touch) const;
   long double bound_of(Touch touch) const;
   /// Whether a constraint is violated infinitely: the target or a bound of a positive form is 0 there.
   bool is_impossible() const { return violation_ == HUGE_VAL; }
@@ -94,7 +95,8 @@ class Contacts {
   /// Changes the parameters.
   CanBe can_be_exact(const SearchPlace& place);
   const Contact* worst_violation() const;
-  void find_extrema(const MinimaxCurve& curve, Touch touch);
+  void find_extrema(PanelCurve& curve, Touch touch);
+  void sample(PanelCurve& curve);
   /// A chain of contacts, and the place in it where those that come first begin.
   struct Chain {
     Few<Contact> contacts;
