@@ -2,6 +2,7 @@
 
 #include "fit/proof/interval.hpp"
 #include "fit/scalars/multiprecision.hpp"
+#include "tests/decimal100.hpp"
 
 /// Looking into an interval, in 100 digits.
 namespace shadefit::testing {

@@ -93,9 +93,8 @@ void add_subject(CLI::App& command, FitOptions& options) {
 }
 
 CLI::Option* add_round(CLI::App& command, FitOptions& options) {
-  const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
   return add_value(
-      command, "--round", options.round, round, "float|half|bfloat16|decimal:N",
+      command, "--round", options.round, parse_number_format, "float|half|bfloat16|decimal:N",
       "the best constants in this number format; half and bfloat16: for a form of one variable that is evaluated "
       "in it");
 }
@@ -239,14 +238,11 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   auto* csv = add_csv(fit, options.csv, "");
   auto* latex =
       fit.add_flag("--latex", options.latex, "print a LaTeX tabular")->excludes("--json")->excludes(csv);
-  const auto evaluated_format = [](const std::string&, const std::string& text) {
-    return parse_evaluated_format(text);
-  };
   const std::array extras{
       fit.add_flag("--certify", options.certify, "also prove bounds of the largest error"),
       add_round(fit, options),
       add_value(
-          fit, "--evaluate", options.evaluate, evaluated_format, "half|float",
+          fit, "--evaluate", options.evaluate, parse_evaluated_format, "half|float",
           "constants for a form that is evaluated in this format, in the order that emit prints; the best that "
           "steps from the fit find"),
       fit.add_flag(

@@ -22,9 +22,6 @@ void register_proofs();
 /// The Fresnel pair as a study beside its family: the rate of its sums, and its fit from text.
 void register_studies();
 
-/// Plans of scenes with one material and with a thousand.
-void register_scenes();
-
 /// The command as a process: its time and its memory.
 void register_process();
 

@@ -61,12 +61,6 @@ void register_problems(const std::string& name, const std::vector<Problem>& prob
   })->Unit(benchmark::kMicrosecond);
 }
 
-/// The pair by its largest error, from nothing: a start by Ceres, the exchange, the polish.
-void register_minimax(Error error) {
-  register_problems("minimax/fresnel-quadratic/" + std::string(name(error)),
-                    {{find_family("fresnel-quadratic"), {}, {.norm = Norm::minimax, .error = error}}});
-}
-
 /// Exponents evenly on a logarithmic scale within 0.1 .. 1e6. Fits share nothing: each thread has its own.
 void fit_on_threads(benchmark::State& state) {
   const Family& lobe = *find_family("sg-offset");
@@ -94,8 +88,10 @@ void register_fits() {
       ->ThreadRange(1, 2)
       ->UseRealTime()
       ->Unit(benchmark::kMicrosecond);
-  register_minimax(Error::absolute);
-  register_minimax(Error::relative);
+  // The pair by its largest error, from nothing: a start by Ceres, the exchange, the polish.
+  for (const Error error : {Error::absolute, Error::relative})
+    register_problems("minimax/fresnel-quadratic/" + std::string(name(error)),
+                      {{find_family("fresnel-quadratic"), {}, {.norm = Norm::minimax, .error = error}}});
 }
 
 }  // namespace shadefit::bench

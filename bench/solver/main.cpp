@@ -13,7 +13,6 @@ int main(int argc, char** argv) try {
   shadefit::bench::register_claims();
   shadefit::bench::register_proofs();
   shadefit::bench::register_studies();
-  shadefit::bench::register_scenes();
   shadefit::bench::register_process();
   const bool has_run = benchmark::RunSpecifiedBenchmarks() > 0;
   benchmark::Shutdown();

@@ -138,9 +138,9 @@ Fit Family::fit(const Setting& setting, const Metric& metric) const {
   const Metric plain{.domain = metric.domain, .constraints = metric.constraints};
   fit.max_abs_error = largest_error(setting, plain, fit.parameters);
   const bool is_plain = metric.error == Error::absolute && metric.weight.empty();
-  fit.why = contradiction_of(
-      fit.rms_error,
-      is_plain ? fit.max_abs_error.magnitude : largest_error(setting, metric, fit.parameters).magnitude);
+  fit.why =
+      contradiction_of(fit.rms_error, is_plain ? fit.max_abs_error.magnitude
+                                               : largest_error(setting, metric, fit.parameters).magnitude);
   if (!fit.why.empty()) fit.status = Status::not_converged;
   return fit;
 }

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fit/formula/tape_program.hpp"
-#include "fit/study/study_fit.hpp"
 #include "fit/study/study_edges.hpp"
+#include "fit/study/study_fit.hpp"
 #include "fit/study/study_problem.hpp"
 
 /// The tops of curves over the range of a study, to the digits of long double.

@@ -50,13 +50,4 @@ std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view 
   return judged;
 }
 
-const Claim* find_claim(std::string_view id) {
-  for (const Topic& topic : ledger()) {
-    for (const Claim& claim : topic.claims) {
-      if (claim.id == id) return &claim;
-    }
-  }
-  return nullptr;
-}
-
 }  // namespace shadefit

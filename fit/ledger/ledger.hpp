@@ -32,7 +32,4 @@ Finding evaluate(const Claim& claim, Fits& fits);
 std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,
                                       const Checkpoint& checkpoint = keep_going);
 
-/// The claim of that id, or null.
-const Claim* find_claim(std::string_view id);
-
 }  // namespace shadefit

@@ -111,18 +111,15 @@ struct Scalar<Interval> {
   static Interval ln2() { return apply(mpfi_const_log2); }
 
   /// result = a + b and so on, without a new interval. The result may be one of the operands.
-  static void put(Interval& result, std::plus<> /*of*/, const Interval& a, const Interval& b) {
-    mpfi_add(result.backend().data(), a.backend().data(), b.backend().data());
+  template <class Operation>
+  requires requires(Operation operation) { in_place(operation); }
+  static void put(Interval& result, Operation operation, const Interval& a, const Interval& b) {
+    in_place(operation)(result.backend().data(), a.backend().data(), b.backend().data());
   }
-  static void put(Interval& result, std::minus<> /*of*/, const Interval& a, const Interval& b) {
-    mpfi_sub(result.backend().data(), a.backend().data(), b.backend().data());
-  }
-  static void put(Interval& result, std::multiplies<> /*of*/, const Interval& a, const Interval& b) {
-    mpfi_mul(result.backend().data(), a.backend().data(), b.backend().data());
-  }
-  static void put(Interval& result, std::divides<> /*of*/, const Interval& a, const Interval& b) {
-    mpfi_div(result.backend().data(), a.backend().data(), b.backend().data());
-  }
+  static constexpr auto in_place(std::plus<> /*of*/) { return &mpfi_add; }
+  static constexpr auto in_place(std::minus<> /*of*/) { return &mpfi_sub; }
+  static constexpr auto in_place(std::multiplies<> /*of*/) { return &mpfi_mul; }
+  static constexpr auto in_place(std::divides<> /*of*/) { return &mpfi_div; }
 
   /// sum += a b, without a new interval for the product.
   static void add_product(Interval& sum, const Interval& a, const Interval& b, Interval& product) {

@@ -30,7 +30,7 @@ std::string to_text(const NumberFormat& format) {
                                         : std::string(binary->second);
 }
 
-NumberFormat parse_number_format(const std::string& text) {
+NumberFormat parse_number_format(const std::string& option, const std::string& text) {
   const auto binary = std::ranges::find(binary_formats, text, &BinaryName::second);
   if (binary != binary_formats.end()) return {binary->first};
   const std::string_view prefix = "decimal:";
@@ -39,18 +39,18 @@ NumberFormat parse_number_format(const std::string& text) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data() + prefix.size(), end, digits);
     if (error != std::errc{} || stop != end || digits < 1 || digits > digits_that_tell_apart)
-      throw UserError("--round '" + text +
+      throw UserError(option + " '" + text +
                       "': decimal:N takes a whole number N of significant digits from 1 to " +
                       std::to_string(digits_that_tell_apart));
     return {NumberFormat::Kind::decimal, digits};
   }
-  throw UserError("--round '" + text + "' is unknown: it must be one of float, half, bfloat16, decimal:N");
+  throw UserError(option + " '" + text + "' is unknown: it must be one of float, half, bfloat16, decimal:N");
 }
 
-NumberFormat parse_evaluated_format(const std::string& text) {
+NumberFormat parse_evaluated_format(const std::string& option, const std::string& text) {
   for (const auto kind : {NumberFormat::Kind::half, NumberFormat::Kind::single})
     if (text == to_text(NumberFormat{kind})) return {kind};
-  throw UserError("--evaluate '" + text + "' is unknown: it must be one of half, float");
+  throw UserError(option + " '" + text + "' is unknown: it must be one of half, float");
 }
 
 std::string DecimalLattice::text(std::int64_t index) const {

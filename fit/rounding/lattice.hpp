@@ -28,11 +28,11 @@ struct NumberFormat {
 /// "half", "bfloat16", "float", "decimal:5".
 std::string to_text(const NumberFormat& format);
 
-/// The format that a text names. Throws UserError with one line for any other text.
-NumberFormat parse_number_format(const std::string& text);
+/// The format that the text of an option names. Throws UserError with one line for any other text.
+NumberFormat parse_number_format(const std::string& option, const std::string& text);
 
 /// The same for a format in which a form is evaluated, half or float.
-NumberFormat parse_evaluated_format(const std::string& text);
+NumberFormat parse_evaluated_format(const std::string& option, const std::string& text);
 
 /// The numbers of a binary format by their bits: index i >= 0 is the i-th number from zero up, -i its
 /// negative; both zeros are 0. Scaled so that the least normal number is that of double, the leading bits of

@@ -11,12 +11,10 @@
 /// The adapter of Boost.Multiprecision: the arithmetic of truth.
 namespace shadefit {
 
-/// A binary floating-point number of (at least) 50 and of 100 decimal digits. Expression templates are off,
+/// A binary floating-point number of (at least) 50 decimal digits. Expression templates are off,
 /// so that `a + b` is the scalar itself.
 using Decimal50 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using Decimal100 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
 template <unsigned Digits>
 struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>,

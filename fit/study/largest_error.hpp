@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fit/formula/tape.hpp"
-#include "fit/study/study_fit.hpp"
 #include "fit/study/study_edges.hpp"
+#include "fit/study/study_fit.hpp"
 
 namespace shadefit {
 

@@ -6,15 +6,12 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
 
 #include "fit/quadrature/fit_rules.hpp"
-#include "fit/scalars/likely_sizes.hpp"
 #include "fit/steps/levenberg.hpp"
-#include "fit/study/likely_starts.hpp"
 #include "fit/study/projection.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/support/user_error.hpp"
@@ -41,16 +38,6 @@ double spread(double u, int octaves) {
   const double side = 2 * u - 1;
   return std::copysign(std::exp2(octaves * (2 * std::abs(side) - 1)), side);
 }
-
-/// The distance of the largest of some numbers from 1, in octaves.
-int octaves_from_one(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest == 0 ? 0 : static_cast<int>(std::ceil(std::abs(std::log2(largest))));
-}
-
-/// Constants of shading are between 1/64 and 64 in size, because their variables are of the size of 1.
-constexpr int octaves_of_shading = 6;
 
 /// The squares at the ends of descents in one basin differ by at most this share.
 constexpr double same_square = 1e-6;
@@ -88,13 +75,6 @@ std::vector<std::vector<double>> perhaps_lowest(const std::vector<StudyCandidate
       places.push_back(own);
   }
   return places;
-}
-
-/// The power of two next to a size that is far from 1, else 1.
-double unit_of(double size) {
-  constexpr double far = 4;  // octaves: the starts and the solver take less as it is
-  const double octaves = std::round(std::log2(size));
-  return std::isfinite(octaves) && std::abs(octaves) > far ? std::exp2(octaves) : 1;
 }
 
 constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
@@ -302,83 +282,11 @@ void search_on(SearchedStudy& searched, SearchStarts& wanted, const Search& sear
   }
 }
 
-}  // namespace
-
-namespace {
-
-/// The bounds of each parameter, infinite where it has none. Empty if none has any.
-std::vector<std::array<double, 2>> bounds_of(const ReadStudy& study) {
-  std::vector<std::array<double, 2>> result;
-  if (!study.bounds.empty()) result.assign(study.parameters.size(), {-HUGE_VAL, HUGE_VAL});
-  for (const ParameterBounds& bounds : study.bounds) {
-    const auto found = std::ranges::find(study.parameters, bounds.parameter);
-    result[static_cast<std::size_t>(found - study.parameters.begin())] = {bounds.lower, bounds.upper};
-  }
-  return result;
-}
-
-/// A value that is outside goes as far to the other side of the bound, and round again.
-double folded(double value, const std::array<double, 2>& bounds) {
-  const auto [lower, upper] = bounds;
-  if (lower <= value && value <= upper) return value;
-  if (std::isinf(upper)) return lower + std::abs(value - lower);
-  if (std::isinf(lower)) return upper - std::abs(value - upper);
-  return lower + std::fmod(std::abs(value - lower), upper - lower);
-}
-
 bool is_inside(const std::vector<double>& parameters, const std::vector<std::array<double, 2>>& bounds) {
   for (std::size_t i = 0; i < bounds.size(); ++i)
     if (!(bounds[i][0] <= parameters[i] && parameters[i] <= bounds[i][1])) return false;
   return true;
 }
-
-}  // namespace
-
-std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
-  std::vector<double> result(study.parameters.size(), 1);
-  for (const Held& start : starts) {
-    const auto found = std::find(study.parameters.begin(), study.parameters.end(), start.parameter);
-    result[static_cast<std::size_t>(found - study.parameters.begin())] = start.value;
-  }
-  const auto bounds = bounds_of(study);
-  for (std::size_t i = 0; i < bounds.size(); ++i)
-    result[i] = std::clamp(result[i], bounds[i][0], bounds[i][1]);
-  return result;
-}
-
-std::vector<double> sizes_of(const ReadStudy& study, const std::vector<double>& target) {
-  std::map<std::string, double> sizes;
-  for (const StudyAxis& axis : study.axes)
-    sizes[axis.variable] = std::log2(std::max(std::abs(axis.lower), std::abs(axis.upper)));
-  double largest = 0;
-  for (const double value : target) largest = std::max(largest, std::abs(value));
-  std::vector<double> units;
-  for (const double octaves :
-       likely_sizes(study.form, study.parameters, sizes, largest > 0 ? std::log2(largest) : 0))
-    units.push_back(unit_of(std::exp2(octaves)));
-  return units;
-}
-
-std::vector<double> units_of(const ReadStudy& study, const std::vector<double>& target) {
-  const std::vector<double> units = sizes_of(study, target);
-  const bool are_near = std::all_of(units.begin(), units.end(), [](double unit) { return unit == 1; });
-  return are_near ? std::vector<double>{} : units;
-}
-
-SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
-  SearchStarts starts{
-      nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96}), octaves_of_shading, {}};
-  if (!study.rows || nonlinear == 0) return starts;
-  // A rate is about as large as 1/x, a position as x, and a parameter of 1/(a + b x) as 1/value.
-  int further = octaves_from_one(study.rows->value);
-  for (const auto& places : study.rows->places) further = std::max(further, octaves_from_one(places));
-  starts.octaves += further;
-  constexpr std::size_t more = 4;
-  if (further > 1) starts.count *= more;
-  return starts;
-}
-
-namespace {
 
 /// The ends of descents, best first, without those that have a pole. `keeps_from_poles`: no step is taken to
 /// a place with one.
@@ -446,20 +354,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0, study.rows != nullptr};
-  SearchStarts wanted = starts_of(study, nonlinear);
-  if (!study.rows && nonlinear > 0) wanted.units = units_of(study, target);
-  wanted.bounds = bounds_of(study);
-  if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
-  if (study.has_only_starts && nonlinear > 0) {
-    wanted.count = 0;
-  } else if (nonlinear > 0) {
-    for (std::vector<double>& start : wave_starts(study)) wanted.given.push_back(std::move(start));
-    wanted.ranges = positions_of(study);
-    if (!wanted.ranges.empty()) wanted.sizes = sizes_of(study, target);
-  }
-  for (std::vector<double>& start : wanted.given) {
-    for (std::size_t i = 0; i < wanted.bounds.size(); ++i) start[i] = folded(start[i], wanted.bounds[i]);
-  }
+  SearchStarts wanted = search_starts(study, nonlinear, target, starts);
   // Fewer nodes, but still more than parameters, show the same basins.
   std::optional<SampledStudy<double>> coarse, some;
   if (nodes.rows && nonlinear > 0) some.emplace(error, thinned(study, most_searched));
@@ -490,12 +385,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   return result;
 }
 
-double size_of(const std::vector<double>& parameters) {
-  return std::inner_product(parameters.begin(), parameters.end(), parameters.begin(), 0.0);
-}
-
 bool is_slower_wave(const std::vector<double>& a, const std::vector<double>& b) {
   constexpr double clear = 1e-3;
+  const auto size_of = [](const auto& p) { return std::inner_product(p.begin(), p.end(), p.begin(), 0.0); };
   return size_of(a) < (1 - clear) * size_of(b);
 }
 

@@ -7,6 +7,7 @@
 #include "approx/phong_blinn.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/decimal100.hpp"
 
 namespace shadefit {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "approx/encoding.hpp"
 #include "fit/scalars/multiprecision.hpp"
+#include "tests/decimal100.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {

@@ -15,6 +15,7 @@
 #include "tests/accuracy.hpp"
 #include "tests/approx/formulas/lobes.hpp"
 #include "tests/approx/formulas/surfaces.hpp"
+#include "tests/decimal100.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {

@@ -1,3 +1,4 @@
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

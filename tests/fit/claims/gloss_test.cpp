@@ -4,6 +4,7 @@
 
 #include "fit/scalars/binary_logarithm.hpp"
 #include "fit/scalars/multiprecision.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

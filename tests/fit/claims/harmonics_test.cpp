@@ -1,6 +1,7 @@
 #include <boost/math/special_functions/binomial.hpp>
 
 #include "fit/scalars/multiprecision.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

@@ -3,6 +3,7 @@
 
 #include "fit/ledger/finding.hpp"
 #include "fit/ledger/transfer_function.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

@@ -12,6 +12,7 @@
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/decimal100.hpp"
 
 namespace shadefit {
 namespace {

@@ -3,6 +3,7 @@
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 #include "tests/fit/ledger/vector.hpp"
 

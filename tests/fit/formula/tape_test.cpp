@@ -15,6 +15,7 @@
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/any_expression.hpp"
+#include "tests/decimal100.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {

@@ -7,6 +7,7 @@
 #include "fit/ledger/formats.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/narrow_result.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

@@ -3,6 +3,7 @@
 #include "fit/formula/parse_formula.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/scalars/in_50_digits.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 
 namespace shadefit {
 namespace {

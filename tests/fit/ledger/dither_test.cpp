@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/fit/ledger/find_claim.hpp"
 #include "tests/fit/ledger/mutations.hpp"
 
 namespace shadefit {

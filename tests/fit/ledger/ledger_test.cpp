@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fit/support/decimal.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
+#include "tests/fit/ledger/find_claim.hpp"
 
 // Nothing in a finding is typed: the printed numbers and the inputs decide it. Each row of mutations.csv
 // changes a claim: "printed 0 = 3; tolerance = 1e-30".

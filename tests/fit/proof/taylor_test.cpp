@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fit/scalars/multiprecision.hpp"
+#include "tests/decimal100.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {

@@ -48,7 +48,8 @@ TEST(RoundStudy, FindsWhatTryingAllNeighboursFinds) {
   ASSERT_EQ(table.rows.size(), 8U);
   const auto studies = studies_of_references();
   for (const auto& row : table.rows) {
-    const RoundedStudy found = rounded(studies.at(row[0]), Norm::least_squares, parse_number_format(row[1]));
+    const RoundedStudy found =
+        rounded(studies.at(row[0]), Norm::least_squares, parse_number_format("--round", row[1]));
     std::string constants;
     for (const double value : found.best.values) constants += (constants.empty() ? "" : " ") + to_text(value);
     EXPECT_NEAR(found.best.max_error / std::stod(row[3]), 1, 1e-8)

@@ -10,6 +10,7 @@
 #include "fit/scalars/functions.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/decimal100.hpp"
 
 namespace shadefit {
 namespace {

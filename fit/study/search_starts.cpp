@@ -1,18 +1,27 @@
-#include "fit/study/likely_starts.hpp"
+#include "fit/study/search_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
 
 #include "fit/scalars/integral.hpp"
+#include "fit/scalars/likely_sizes.hpp"
 #include "fit/study/study_nodes.hpp"
 
 namespace shadefit {
 namespace {
+
+/// The distance of the largest of some numbers from 1, in octaves.
+int octaves_from_one(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest == 0 ? 0 : static_cast<int>(std::ceil(std::abs(std::log2(largest))));
+}
 
 /// A parameter that is a frequency, and the argument of its wave.
 struct Frequency {
@@ -79,8 +88,8 @@ void find_positions(const Symbolic& formula, const ReadStudy& study,
   for (const Symbolic& part : formula.parts()) find_positions(part, study, ranges);
 }
 
-}  // namespace
-
+/// The range of a variable for each parameter that is subtracted from it, as d of (x - d)^2. Empty if the
+/// form has none.
 std::vector<std::optional<std::array<double, 2>>> positions_of(const ReadStudy& study) {
   std::vector<std::optional<std::array<double, 2>>> ranges(study.parameters.size());
   find_positions(study.form, study, ranges);
@@ -88,6 +97,9 @@ std::vector<std::optional<std::array<double, 2>>> positions_of(const ReadStudy& 
   return has_any ? ranges : std::vector<std::optional<std::array<double, 2>>>{};
 }
 
+/// A start for each of the frequencies at which the target is strongest: each parameter that a variable
+/// multiplies inside a sine or cosine gets one of them, all others are 1. Empty if the form has none, or the
+/// target no finite values.
 std::vector<std::vector<double>> wave_starts(const ReadStudy& study) {
   if (study.rows || study.axes.size() != 1) return {};
   const StudyAxis& axis = study.axes.front();
@@ -120,6 +132,95 @@ std::vector<std::vector<double>> wave_starts(const ReadStudy& study) {
       starts[k][static_cast<std::size_t>(parameter)] = frequencies[(k + i) % frequencies.size()] / slope;
   }
   return starts;
+}
+
+/// The bounds of each parameter, infinite where it has none. Empty if none has any.
+std::vector<std::array<double, 2>> bounds_of(const ReadStudy& study) {
+  std::vector<std::array<double, 2>> result;
+  if (!study.bounds.empty()) result.assign(study.parameters.size(), {-HUGE_VAL, HUGE_VAL});
+  for (const ParameterBounds& bounds : study.bounds) {
+    const auto found = std::ranges::find(study.parameters, bounds.parameter);
+    result[static_cast<std::size_t>(found - study.parameters.begin())] = {bounds.lower, bounds.upper};
+  }
+  return result;
+}
+
+/// The size of each parameter, from the ranges of the variables and from the size of the values of the target
+/// (fit/scalars/likely_sizes.hpp).
+std::vector<double> sizes_of(const ReadStudy& study, const std::vector<double>& target) {
+  std::map<std::string, double> sizes;
+  for (const StudyAxis& axis : study.axes)
+    sizes[axis.variable] = std::log2(std::max(std::abs(axis.lower), std::abs(axis.upper)));
+  double largest = 0;
+  for (const double value : target) largest = std::max(largest, std::abs(value));
+  std::vector<double> units;
+  for (const double octaves :
+       likely_sizes(study.form, study.parameters, sizes, largest > 0 ? std::log2(largest) : 0))
+    units.push_back(unit_of(std::exp2(octaves)));
+  return units;
+}
+
+}  // namespace
+
+double unit_of(double size) {
+  constexpr double far = 4;  // octaves: the starts and the solver take less as it is
+  const double octaves = std::round(std::log2(size));
+  return std::isfinite(octaves) && std::abs(octaves) > far ? std::exp2(octaves) : 1;
+}
+
+double folded(double value, const std::array<double, 2>& bounds) {
+  const auto [lower, upper] = bounds;
+  if (lower <= value && value <= upper) return value;
+  if (std::isinf(upper)) return lower + std::abs(value - lower);
+  if (std::isinf(lower)) return upper - std::abs(value - upper);
+  return lower + std::fmod(std::abs(value - lower), upper - lower);
+}
+
+std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
+  std::vector<double> result(study.parameters.size(), 1);
+  for (const Held& start : starts) {
+    const auto found = std::find(study.parameters.begin(), study.parameters.end(), start.parameter);
+    result[static_cast<std::size_t>(found - study.parameters.begin())] = start.value;
+  }
+  const auto bounds = bounds_of(study);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    result[i] = std::clamp(result[i], bounds[i][0], bounds[i][1]);
+  return result;
+}
+
+SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
+  SearchStarts starts{
+      nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96}), octaves_of_shading, {}};
+  if (!study.rows || nonlinear == 0) return starts;
+  // A rate is about as large as 1/x, a position as x, and a parameter of 1/(a + b x) as 1/value.
+  int further = octaves_from_one(study.rows->value);
+  for (const auto& places : study.rows->places) further = std::max(further, octaves_from_one(places));
+  starts.octaves += further;
+  constexpr std::size_t more = 4;
+  if (further > 1) starts.count *= more;
+  return starts;
+}
+
+SearchStarts search_starts(const ReadStudy& study, std::size_t nonlinear, const std::vector<double>& target,
+                           const std::vector<Held>& given) {
+  SearchStarts wanted = starts_of(study, nonlinear);
+  if (!study.rows && nonlinear > 0) {
+    wanted.units = sizes_of(study, target);
+    if (std::ranges::all_of(wanted.units, [](double unit) { return unit == 1; })) wanted.units.clear();
+  }
+  wanted.bounds = bounds_of(study);
+  if (!given.empty()) wanted.given.push_back(start_of(study, given));
+  if (study.has_only_starts && nonlinear > 0) {
+    wanted.count = 0;
+  } else if (nonlinear > 0) {
+    std::ranges::move(wave_starts(study), std::back_inserter(wanted.given));
+    wanted.ranges = positions_of(study);
+    if (!wanted.ranges.empty()) wanted.sizes = sizes_of(study, target);
+  }
+  for (std::vector<double>& start : wanted.given) {
+    for (std::size_t i = 0; i < wanted.bounds.size(); ++i) start[i] = folded(start[i], wanted.bounds[i]);
+  }
+  return wanted;
 }
 
 }  // namespace shadefit
