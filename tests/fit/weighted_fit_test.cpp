@@ -51,7 +51,7 @@ double square(const Known& weight, const std::vector<double>& p) {
 }
 
 /// The largest weighted error.
-double largest_of(const Fit& fit) {
+double largest_error_of(const Fit& fit) {
   return fit.family->largest_error(setting_of(fit), fit.metric, fit.parameters).magnitude;
 }
 
@@ -72,7 +72,7 @@ TEST(WeightedFit, LeastSquaresIsLeastByAnotherRule) {
           << weight.text << " " << i;
     }
     EXPECT_NEAR(fit.rms_error / std::sqrt(square(weight, fit.parameters)), 1, 1e-9) << weight.text;
-    EXPECT_LE(fit.rms_error, largest_of(fit)) << weight.text;
+    EXPECT_LE(fit.rms_error, largest_error_of(fit)) << weight.text;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(WeightedFit, MinimaxIsLevelEverywhere) {
         EXPECT_LT(point.error * fit.alternation[i - 1].error, 0) << weight.text;
       }
     }
-    EXPECT_LE(fit.rms_error, largest_of(fit)) << weight.text;
+    EXPECT_LE(fit.rms_error, largest_error_of(fit)) << weight.text;
   }
 }
 
@@ -119,7 +119,7 @@ TEST(WeightedFit, AConstantFactorChangesNoCurve) {
           if (a.level) {
             EXPECT_NEAR(*a.level / *b.level, factor, 1e-9) << what;
           }
-          EXPECT_LE(a.rms_error, largest_of(a)) << what;
+          EXPECT_LE(a.rms_error, largest_error_of(a)) << what;
         };
         const Fit plain = fitted("");
         expect_same(fitted("1"), plain, 1);
