@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "approx/scalar.hpp"
 
 /// Schlick's Fresnel term and its approximations by one exp2. c = cos of the angle between view (or light)

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "approx/scalar.hpp"
 
 /// The cosine lobe c^k and its spherical Gaussian. c = cos of the angle to the lobe's axis in [0, 1],

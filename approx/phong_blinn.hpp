@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <optional>
 
 #include "app/commands/commands.hpp"
 #include "app/output/output_file.hpp"

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <queue>
-#include <utility>
 
 #include "fit/bounds/enclosed_error.hpp"
 #include "fit/bounds/study_certificate.hpp"

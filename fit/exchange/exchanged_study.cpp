@@ -1,7 +1,6 @@
 #include "fit/exchange/exchanged_study.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "fit/exchange/constrained_study.hpp"

@@ -1,7 +1,6 @@
 #include "fit/exchange/linear_programmes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "fit/exchange/surface_programme.hpp"

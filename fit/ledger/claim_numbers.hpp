@@ -4,7 +4,6 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <concepts>
-#include <utility>
 
 #include "fit/rounding/every_number.hpp"
 #include "fit/study/study_problem.hpp"

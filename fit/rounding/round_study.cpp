@@ -1,6 +1,5 @@
 #include "fit/rounding/round_study.hpp"
 
-#include <algorithm>
 #include <type_traits>
 
 #include "fit/rounding/lattice_search.hpp"

@@ -1,7 +1,5 @@
 #include "fit/rounding/rounded_set.hpp"
 
-#include <algorithm>
-
 #include "fit/bounds/rounding_bound.hpp"
 #include "fit/bounds/study_certificate.hpp"
 #include "fit/scalars/integral.hpp"

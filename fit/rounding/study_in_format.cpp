@@ -6,7 +6,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "approx/encoding.hpp"
 #include "fit/rounding/lattice.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <span>
 
 /// What a descent of least squares is told: sums over nodes that stand for integrals.

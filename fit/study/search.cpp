@@ -8,7 +8,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <string>
 
 #include "fit/quadrature/fit_rules.hpp"
 #include "fit/steps/levenberg.hpp"

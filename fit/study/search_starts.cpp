@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <numbers>
-#include <set>
 #include <string>
 
 #include "fit/scalars/integral.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fit/scalars/hinges.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -18,8 +19,7 @@ constexpr std::size_t most_study_edges = 64;
 
 /// Appends the zeros of a hinge of one variable as edges.
 void append_zeros(const Hinge& hinge, const StudyAxis& axis, std::vector<StudyEdge>& edges) {
-  HingeCurve part(hinge.part, std::span(&axis.variable, 1));
-  append_zeros(hinge, part, axis.lower, axis.upper, edges);
+  HingeCurve(hinge, std::span(&axis.variable, 1)).append_zeros(axis.lower, axis.upper, edges);
 }
 
 /// The same, of a hinge that others ask for too.
@@ -119,7 +119,7 @@ std::vector<Hinge> hinges_at_later_ends(const ReadStudy& study, std::size_t inde
   return result;
 }
 
-std::vector<MovingEdges::Mixed> mixed_hinges(const ReadStudy& study, std::size_t index) {
+std::vector<HingeCurve> mixed_hinges(const ReadStudy& study, std::size_t index) {
   if (index == 0) return {};
   const auto axes = std::span(study.axes).first(index + 1);
   std::vector<std::string> last_first{axes.back().variable};
@@ -129,14 +129,13 @@ std::vector<MovingEdges::Mixed> mixed_hinges(const ReadStudy& study, std::size_t
     return names.size() > 1 && names.contains(axes.back().variable) &&
            std::includes(known.begin(), known.end(), names.begin(), names.end());
   };
-  std::vector<MovingEdges::Mixed> result;
+  std::vector<HingeCurve> result;
   for (const Hinge& hinge : hinges_where({&study.target, &study.form, &study.weight}, is_mixed))
-    result.push_back({hinge, HingeCurve(hinge.part, last_first)});
+    result.emplace_back(hinge, last_first);
   for (Hinge hinge : hinges_at_later_ends(study, index)) {
     if (!is_mixed(free_variables(hinge.part))) continue;
     hinge.is_root = true;
-    HingeCurve curve(hinge.part, last_first);
-    result.push_back({std::move(hinge), std::move(curve)});
+    result.emplace_back(std::move(hinge), last_first);
   }
   return result;
 }
@@ -225,19 +224,19 @@ MovingEdges::MovingEdges(const ReadStudy& study, std::size_t axis, std::vector<S
     std::vector<long double> before;
     for (std::size_t k = 0; k < axis; ++k)
       before.push_back((corner >> k & 1) != 0 ? study.axes[k].upper : study.axes[k].lower);
-    for (auto& [hinge, part] : mixed_) {
-      part.set_others(before);
+    for (HingeCurve& hinge : mixed_) {
+      hinge.set_others(before);
       for (const double end : {axis_.lower, axis_.upper})
-        if (hinge.is_root && part.value(end) == 0) edges_.push_back({end, power_at_root});
+        if (hinge.is_root_at(end)) edges_.push_back({end, power_at_root});
     }
   }
 }
 
 std::vector<StudyEdge> MovingEdges::at(std::span<const long double> before) {
   std::vector<StudyEdge> edges = edges_;
-  for (auto& [hinge, part] : mixed_) {
-    part.set_others(before);
-    append_zeros(hinge, part, axis_.lower, axis_.upper, edges);
+  for (HingeCurve& hinge : mixed_) {
+    hinge.set_others(before);
+    hinge.append_zeros(axis_.lower, axis_.upper, edges);
   }
   return merged(axis_, std::move(edges));
 }

@@ -44,16 +44,10 @@ class MovingEdges {
   bool are_fixed() const { return mixed_.empty(); }
   std::vector<StudyEdge> at(std::span<const long double> before);
 
-  /// A hinge that depends on the axis and on axes before it, but on none after it.
-  struct Mixed {
-    Hinge hinge;
-    HingeCurve part;
-  };
-
  private:
   const StudyAxis& axis_;
-  std::vector<StudyEdge> edges_;  ///< and the ends where a root is zero in a corner
-  std::vector<Mixed> mixed_;
+  std::vector<StudyEdge> edges_;   ///< and the ends where a root is zero in a corner
+  std::vector<HingeCurve> mixed_;  ///< the hinges that depend on the axis and on axes before it alone
 };
 
 /// Edges with both sides of each jump in place of it: first the left one, which has `is_jump`. Of a jump at
@@ -73,7 +67,7 @@ std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> 
 Symbolic at_parameters(const ReadStudy& study, const Symbolic& formula,
                        const std::vector<double>& parameters);
 
-/// The zeros of a formula of one variable, its ends included; `append_zeros` looks for them.
+/// The zeros of a formula of one variable, its ends included, as `HingeCurve` finds them.
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis);
 
 }  // namespace shadefit

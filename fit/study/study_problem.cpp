@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "fit/scalars/integral.hpp"
 #include "fit/study/study_nodes.hpp"

@@ -1,7 +1,5 @@
 #include "fit/verdicts/family_file.hpp"
 
-#include <algorithm>
-
 #include "fit/catalogue/family.hpp"
 #include "fit/catalogue/near_peak.hpp"
 #include "fit/study/study.hpp"

@@ -1,6 +1,5 @@
 #include "fit/verdicts/sensitivity.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>

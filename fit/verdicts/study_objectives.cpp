@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <set>
 #include <span>
 #include <utility>
