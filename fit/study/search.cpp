@@ -308,10 +308,8 @@ std::vector<StudyCandidate> basins(const StudyError& error, const SampledStudy<d
         for (Eigen::Index i = 0; i < place.size() && !wanted.bounds.empty(); ++i)
           place[i] = folded(place[i], wanted.bounds[problem.unknowns()[static_cast<std::size_t>(i)]]);
       }
-      ends = scan.from(lower_half(scan.all_at(places)), few);
-      std::vector<SearchedPlace> apart;
-      append_distinct(lower_half(ends), apart);
-      ends = scan.from(apart, some);
+      ends = scan.all_at(places);
+      for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
     }
     std::vector<SearchedPlace> starts;
     for (const std::vector<double>& start : wanted.given) starts.push_back({problem.unknowns_of(start)});
