@@ -110,16 +110,16 @@ struct Scalar<Interval> {
   static Interval pi() { return apply(mpfi_const_pi); }
   static Interval ln2() { return apply(mpfi_const_log2); }
 
+  static constexpr auto in_place(std::plus<> /*of*/) { return &mpfi_add; }
+  static constexpr auto in_place(std::minus<> /*of*/) { return &mpfi_sub; }
+  static constexpr auto in_place(std::multiplies<> /*of*/) { return &mpfi_mul; }
+  static constexpr auto in_place(std::divides<> /*of*/) { return &mpfi_div; }
   /// result = a + b and so on, without a new interval. The result may be one of the operands.
   template <class Operation>
   requires requires(Operation operation) { in_place(operation); }
   static void put(Interval& result, Operation operation, const Interval& a, const Interval& b) {
     in_place(operation)(result.backend().data(), a.backend().data(), b.backend().data());
   }
-  static constexpr auto in_place(std::plus<> /*of*/) { return &mpfi_add; }
-  static constexpr auto in_place(std::minus<> /*of*/) { return &mpfi_sub; }
-  static constexpr auto in_place(std::multiplies<> /*of*/) { return &mpfi_mul; }
-  static constexpr auto in_place(std::divides<> /*of*/) { return &mpfi_div; }
 
   /// sum += a b, without a new interval for the product.
   static void add_product(Interval& sum, const Interval& a, const Interval& b, Interval& product) {
