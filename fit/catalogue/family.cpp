@@ -18,7 +18,7 @@
 namespace shadefit {
 namespace {
 
-/// The fit of the study of a family, or why there is none.
+/// Fits the study of a family. A fit that fails says why.
 StudyFit solved(const Family& family, const Setting& setting, const Metric& metric) {
   StudyFit fit;
   try {

@@ -58,8 +58,6 @@ StudyFit best_of_rules(const Rules& rules, std::size_t most_nodes, const std::st
   return fit;
 }
 
-constexpr const char* still_moved = "the largest quadrature rule still moves a parameter in its sixth digit";
-
 /// The optimum of a linear form over nodes, by orthogonal columns in long double.
 struct ColumnsOptimum {
   VectorOf<long double> parameters, last_step, sizes;  ///< `sizes` of the columns

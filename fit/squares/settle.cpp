@@ -84,8 +84,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const Sampl
                                  : "the integral of the squared error does not converge";
   } else if (fit.digits < least_study_digits) {
     fail(fit, Status::not_converged,
-         rules.is_of_rows() ? "long double still moves a parameter in its sixth digit"
-                            : "the largest quadrature rule still moves a parameter in its sixth digit");
+         rules.is_of_rows() ? "long double still moves a parameter in its sixth digit" : still_moved);
   }
   return fit;
 }

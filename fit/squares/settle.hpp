@@ -8,6 +8,10 @@
 /// From the basin of a search to the optimum, with the digits that are right.
 namespace shadefit {
 
+/// Why an optimum has too few digits under all rules.
+inline constexpr const char* still_moved =
+    "the largest quadrature rule still moves a parameter in its sixth digit";
+
 /// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
 /// `searched` is the study under the first rule, if its panels are still the same.
 StudyFit settle(const Rules& rules, const StudyCandidate& candidate, const SampledStudy<double>* searched);

@@ -31,10 +31,9 @@ struct QuadraticAnswer {
 std::optional<QuadraticAnswer> least_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
                                           std::span<const Condition> conditions);
 
-/// Whether a step of so many unknowns, other than 0, meets conditions that 0 meets with equality: then other
-/// parameters are as good as those from which it goes. If there is none, 0 is the nearest of the allowed
-/// steps to each step along a coordinate, which is 1 long. The programme leaves less than a millionth of that
-/// step.
+/// Whether some step meets the conditions, each of which the step 0 meets with equality. Such a step leads to
+/// other parameters that are equally good. If no other step meets them, then 0 is the allowed step that is
+/// nearest to each unit step along a coordinate. The answer counts as 0 if it is shorter than a millionth.
 bool has_way_on(std::span<const Condition> conditions, Eigen::Index unknowns);
 
 }  // namespace shadefit

@@ -174,7 +174,7 @@ void drop_unary_plus(std::string& text) {
   }
 }
 
-/// Throws std::invalid_argument for what is no expression of scalars.
+/// Throws std::invalid_argument if the text is not an expression of scalars.
 Symbolic read_program(std::string_view text) {
   static constexpr ProgramNotation notation{atom_at, with_methods};
   return read_formula(text, {.variables = {}, .program = &notation}).formula;
