@@ -196,9 +196,9 @@ std::string not_converged_lines(const Refit& refit) {
   std::string lines;
   for (const auto& [fit, assessments] : refit.fits) {
     if (fit.status == Status::converged) continue;
-    lines += fmt::format("shadefit: {}{} did not converge: {}: {}\n", fit.family->id,
+    lines += fmt::format("shadefit: {}{} did not converge: {}{}\n", fit.family->id,
                          fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "", name(fit.status),
-                         fit.why);
+                         fit.why.empty() ? "" : ": " + fit.why);
   }
   return lines;
 }
