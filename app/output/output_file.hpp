@@ -17,8 +17,8 @@ std::function<void()> prepare_output(const std::filesystem::path& directory, con
                                      const std::vector<File>& obsolete, bool force,
                                      const Checkpoint& checkpoint);
 
-/// The file that an option names; of a link, which stays, the one that it leads to. Throws UserError if the
-/// text does not name a file, or names one that cannot be written. `what` names the content: "the
+/// The file that an option names. A link stays, and the file to which it leads is returned. Throws UserError
+/// if the text does not name a file, or names one that cannot be written. `what` names the content: "the
 /// certificate".
 std::filesystem::path output_file(const std::string& option, const std::string& text,
                                   const std::string& what);
